@@ -1,0 +1,121 @@
+// `hamilcar check FILE`: validates, assembles, and counts.
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "hamilcar/analysis/freedom.hpp"
+#include "hamilcar/io/scenario_file.hpp"
+#include "hamilcar/io/vehicle_file.hpp"
+#include "hamilcar/run/channels.hpp"
+
+namespace hamilcar::cli {
+
+namespace {
+
+// A scenario file names a vehicle; a vehicle file has a chassis. A file that cannot be read counts as a vehicle, whose
+// reader says what is wrong.
+bool is_scenario(const std::string& path) {
+    std::ifstream file(path);
+    for (std::string line; std::getline(file, line);) {
+        const auto start = line.find_first_not_of(" \t");
+        if (start != std::string::npos && line.compare(start, 7, "vehicle") == 0) return true;
+    }
+    return false;
+}
+
+ScenarioDescription standing_still(const std::string& vehicle_path) {
+    ScenarioDescription scenario;
+    scenario.name = "check";
+    scenario.vehicle = vehicle_path;
+    scenario.duration = scenario.solver.step;
+    return scenario;
+}
+
+nlohmann::json describe(const Simulation& simulation, const std::string& file) {
+    std::vector<std::string> names;
+    for (const auto& corner : simulation.vehicle().corners) names.push_back(corner.name);
+    const Structure counted = structure(simulation.model().vehicle, names);
+    const Sample sample = simulation.sample();
+    nlohmann::json spokes = nlohmann::json::array();
+    for (std::size_t i = 0; i < counted.spokes.size(); ++i) {
+        const SpokeStructure& spoke = counted.spokes[i];
+        const LoopReport loop = inspect_loops(simulation.model(), sample.input.rack, simulation.state(), static_cast<int>(i));
+        spokes.push_back({{"name", spoke.name}, {"suspension", spoke.suspension}, {"tree_joints", spoke.joints},
+                          {"cut_joints", spoke.cuts}, {"independent", spoke.independent}, {"dependent", spoke.dependent},
+                          {"cut_equations", spoke.cut_equations}, {"opening_m", loop.opening}, {"mobility", loop.mobility},
+                          {"static_load_N", sample.momenta.spokes[i].forces.tire.Fz}});
+    }
+    int paper_constraints = 0;
+    nlohmann::json table = nlohmann::json::array();
+    for (const ConstraintRow& row : paper_table_2(counted, false)) {
+        table.push_back({{"what", row.what}, {"constraints", row.constraints}});
+        paper_constraints += row.constraints;
+    }
+    nlohmann::json channels = nlohmann::json::array();
+    for (const Channel& channel : all_channels(simulation.vehicle())) {
+        channels.push_back({{"name", channel.column.name}, {"unit", channel.column.unit}, {"meaning", channel.column.description}});
+    }
+    return {{"file", file}, {"vehicle", simulation.vehicle().name}, {"mass_kg", simulation.model().vehicle.total_mass},
+            {"bodies", counted.bodies}, {"coordinates", counted.coordinates}, {"cut_equations", counted.cut_equations},
+            {"degrees_of_freedom", counted.degrees_of_freedom}, {"wheel_spins", counted.wheel_spins}, {"spokes", spokes},
+            {"table_2", {{"coordinates", 7 * counted.bodies}, {"constraints", paper_constraints}, {"rows", table}}},
+            {"channels", channels}};
+}
+
+std::string join(const nlohmann::json& words) {
+    std::string out;
+    for (const auto& word : words) out += (out.empty() ? "" : ", ") + word.get<std::string>();
+    return out.empty() ? "none" : out;
+}
+
+std::string report(const nlohmann::json& facts) {
+    std::string s = fmt::format("{}: ok\n{}, {:.1f} kg, {} bodies: chassis and one carrier a corner\n\n",
+                                facts["file"].get<std::string>(), facts["vehicle"].get<std::string>(),
+                                facts["mass_kg"].get<double>(), facts["bodies"].get<int>());
+    for (const auto& spoke : facts["spokes"]) {
+        s += fmt::format("{} ({}), {:.0f} N on the road\n", spoke["name"].get<std::string>(),
+                         spoke["suspension"].get<std::string>(), spoke["static_load_N"].get<double>());
+        s += fmt::format("  tree joints   {}\n  cut joints    {}\n", join(spoke["tree_joints"]), join(spoke["cut_joints"]));
+        s += fmt::format("  independent   {}\n  dependent     {}\n", join(spoke["independent"]), join(spoke["dependent"]));
+        if (spoke["cut_equations"].get<int>() > 0) {
+            s += fmt::format("  loops         closed within {:.1e} m, mobility {:.3f} (0 would be locked)\n",
+                             spoke["opening_m"].get<double>(), spoke["mobility"].get<double>());
+        }
+    }
+    const auto& table = facts["table_2"];
+    const int coordinates = table["coordinates"].get<int>(), constraints = table["constraints"].get<int>();
+    s += fmt::format("\ncoordinates q            {} (chassis 6, suspensions {})\n", facts["coordinates"].get<int>(),
+                     facts["coordinates"].get<int>() - 6);
+    s += fmt::format("cut constraint equations {}\n", facts["cut_equations"].get<int>());
+    s += fmt::format("degrees of freedom       {} = 6 + {} independent suspension coordinates (and {} wheel spins)\n",
+                     facts["degrees_of_freedom"].get<int>(), facts["degrees_of_freedom"].get<int>() - 6,
+                     facts["wheel_spins"].get<int>());
+    s += fmt::format("counted as in the paper's Table 2: {} x 7 = {} coordinates - {} constraints = {}\n", facts["bodies"].get<int>(),
+                     coordinates, constraints, coordinates - constraints);
+    s += fmt::format("  (with the steering driver among the constraints, as printed there, {}: but the driver's coordinate,\n"
+                     "   the rack q17, is not among the {}; it is prescribed and removes nothing)\n",
+                     coordinates - constraints - 1, coordinates);
+    return s;
+}
+
+}  // namespace
+
+io::ExitCode check(const Options& options) {
+    const ScenarioDescription scenario =
+        is_scenario(options.file) ? io::read_scenario(options.file) : standing_still(options.file);
+    const VehicleDescription vehicle = io::read_vehicle(scenario.vehicle);
+    select_channels(all_channels(vehicle), scenario.output.channels);
+    const Simulation simulation(vehicle, scenario);
+    const nlohmann::json facts = describe(simulation, options.file);
+    const std::string text = options.json ? facts.dump(2) + "\n" : report(facts);
+    if (options.output.empty()) {
+        fmt::print("{}", text);
+    } else {
+        write_file(options.output, text);
+    }
+    return io::ExitCode::ok;
+}
+
+}  // namespace hamilcar::cli

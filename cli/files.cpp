@@ -1,0 +1,46 @@
+// What every command needs from the operating system: folders, small files, Ctrl-C.
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "commands.hpp"
+
+namespace hamilcar::cli {
+
+namespace {
+volatile std::sig_atomic_t interrupt_seen = 0;
+extern "C" void on_interrupt(int) { interrupt_seen = 1; }
+}  // namespace
+
+void watch_interrupt() {
+    struct sigaction action {};
+    action.sa_handler = on_interrupt;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second Ctrl-C ends the program at once
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+}
+
+bool interrupted() { return interrupt_seen != 0; }
+
+void make_folder(const std::string& path) {
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    if (error || !std::filesystem::is_directory(path)) {
+        throw io::Error(io::ExitCode::input_output,
+                        fmt::format("{}: cannot create the output folder: {}", path,
+                                    error ? error.message() : "a file of that name exists"));
+    }
+}
+
+void write_file(const std::string& path, const std::string& text) {
+    std::ofstream file(path, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file) throw io::Error(io::ExitCode::input_output, fmt::format("{}: cannot write: {}", path, std::strerror(errno)));
+}
+
+}  // namespace hamilcar::cli

@@ -1,0 +1,82 @@
+// `hamilcar`: run a scenario, run the paper's case, check a file. A skin: no physics here.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <new>
+
+#include "commands.hpp"
+#include "hamilcar/io/spelling.hpp"
+
+namespace {
+
+using hamilcar::io::ExitCode;
+namespace cli = hamilcar::cli;
+
+// "did you mean": CLI11 only says that a word is unexpected.
+void suggest_command(int argc, char** argv) {
+    static constexpr std::string_view commands[] = {"run", "paper", "check"};
+    if (argc < 2 || argv[1][0] == '-') return;
+    for (const std::string_view command : commands) {
+        if (command == argv[1]) return;
+    }
+    const auto nearest = hamilcar::io::nearest_word(argv[1], commands);
+    if (nearest) fmt::print(stderr, "hamilcar: unknown command '{}'; did you mean '{}'?\n", argv[1], *nearest);
+}
+
+void add_common(CLI::App& command, cli::Options& options) {
+    command.add_flag("--json", options.json, "print the facts as one JSON object on standard output");
+}
+
+int parse_failure(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+    if (error.get_exit_code() == 0) {  // --help, --version
+        return app.exit(error);
+    }
+    suggest_command(argc, argv);
+    fmt::print(stderr, "hamilcar: {}\nTry 'hamilcar --help'.\n", error.what());
+    return static_cast<int>(ExitCode::usage);
+}
+
+int run_command(int argc, char** argv) {
+    CLI::App app{"Hamilcar simulates wheeled vehicles with their real suspension linkages.\n"
+                 "Exit codes: 0 ok, 1 criterion not met, 2 usage, 3 bad file, 4 numerical failure, 5 input/output, 130 interrupted"};
+    app.set_version_flag("--version", "hamilcar " HAMILCAR_VERSION);
+    app.require_subcommand(1);
+    cli::Options options;
+    auto* run = app.add_subcommand("run", "run a scenario and write its results as CSV and netCDF");
+    run->add_option("scenario", options.file, "scenario file (TOML)")->required();
+    run->add_option("-o,--output", options.output, "folder for the results [out/NAME]");
+    auto* paper = app.add_subcommand("paper", "run the paper's case and write its tables and figures");
+    paper->add_option("scenario", options.file, "another scenario file than the paper's");
+    paper->add_option("-o,--output", options.output, "folder for the results [out/paper]");
+    auto* check = app.add_subcommand("check", "validate a vehicle or scenario file and print what it describes");
+    check->add_option("file", options.file, "vehicle or scenario file (TOML)")->required();
+    check->add_option("-o,--output", options.output, "file for the report, instead of standard output");
+    for (auto* command : {run, paper, check}) add_common(*command, options);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return parse_failure(app, error, argc, argv);
+    }
+    cli::watch_interrupt();
+    if (run->parsed()) return static_cast<int>(cli::run(options));
+    if (paper->parsed()) return static_cast<int>(cli::paper(options));
+    return static_cast<int>(cli::check(options));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run_command(argc, argv);
+    } catch (const hamilcar::io::Error& error) {
+        fmt::print(stderr, "hamilcar: {}\n", error.what());
+        return static_cast<int>(error.code());
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "hamilcar: out of memory\n");
+        return static_cast<int>(ExitCode::numerical);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "hamilcar: unexpected: {}\n", error.what());
+        return static_cast<int>(ExitCode::failed);
+    }
+}

@@ -1,0 +1,195 @@
+// `hamilcar paper`: the paper's case with its Tables 2 and 3 and Figures 9 and 11 to 14, as data and pictures.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "hamilcar/analysis/freedom.hpp"
+#include "hamilcar/io/picture.hpp"
+#include "hamilcar/io/scenario_file.hpp"
+#include "hamilcar/io/vehicle_file.hpp"
+#include "hamilcar/run/record.hpp"
+#include "hamilcar/run/stabilization_sweep.hpp"
+#include "progress.hpp"
+#include "summary.hpp"
+
+namespace hamilcar::cli {
+
+namespace {
+
+constexpr double figure_interval = 0.01;  // between points [s]
+// Gains of Fig. 9: around the paper's 400, and on both sides of 6/11 of the step's inverse at 1 ms.
+const std::vector<double> sweep_gains{10, 25, 50, 100, 150, 200, 250, 300, 350, 400, 450, 500, 540, 550, 600, 800};
+const std::vector<double> shown_gains{50, 200, 400, 500};
+constexpr double paper_gain = 400, paper_norm = 0.005;
+
+std::string paper_scenario() {
+    for (const std::string& folder : {std::string("."), std::string(HAMILCAR_SOURCE_DATA), std::string(HAMILCAR_INSTALLED_DATA)}) {
+        const std::string path = folder + "/scenarios/paper.toml";
+        if (std::filesystem::exists(path)) return path;
+    }
+    throw io::Error(io::ExitCode::input_output, "scenarios/paper.toml: not found here, in the source or where hamilcar is installed");
+}
+
+struct Figure {
+    const char *file, *title, *channel, *y_label;
+};
+constexpr Figure figures[] = {
+    {"fig11_lateral_position", "Fig. 11  Lateral position of the chassis", "chassis.position.y", "y [m]"},
+    {"fig12_lateral_velocity", "Fig. 12  Lateral velocity of the chassis", "chassis.velocity.y", "y' [m/s]"},
+    {"fig13_vertical_position", "Fig. 13  Vertical position of the chassis", "chassis.position.z", "z [m]"},
+    {"fig14_vertical_velocity", "Fig. 14  Vertical velocity of the chassis", "chassis.velocity.z", "z' [m/s]"},
+};
+
+void write_columns(const std::string& path, const std::vector<std::string>& heads, const std::vector<const std::vector<double>*>& columns) {
+    std::string text;
+    for (std::size_t j = 0; j < heads.size(); ++j) text += (j ? "," : "") + heads[j];
+    text += "\n";
+    std::size_t rows = 0;
+    for (const auto* column : columns) rows = std::max(rows, column->size());
+    for (std::size_t i = 0; i < rows; ++i) {
+        for (std::size_t j = 0; j < columns.size(); ++j) {
+            text += j ? "," : "";
+            if (i < columns[j]->size()) text += fmt::format("{}", (*columns[j])[i]);
+        }
+        text += "\n";
+    }
+    write_file(path, text);
+}
+
+nlohmann::json write_table_2(const std::string& folder, const Simulation& simulation) {
+    std::vector<std::string> names;
+    for (const auto& corner : simulation.vehicle().corners) names.push_back(corner.name);
+    const Structure counted = structure(simulation.model().vehicle, names);
+    std::string text = "what,constraints\n";
+    int total = 0;
+    for (const ConstraintRow& row : paper_table_2(counted, true)) {
+        text += fmt::format("{},{}\n", row.what, row.constraints);
+        total += row.constraints;
+    }
+    text += fmt::format("total,{}\ncoordinates,{}\nas printed: coordinates - total,{}\n", total, 7 * counted.bodies, 7 * counted.bodies - total);
+    text += fmt::format("degrees of freedom (the rack's coordinate counted with its driver),{}\n", counted.degrees_of_freedom);
+    write_file(folder + "/table2_degrees_of_freedom.csv", text);
+    return {{"constraints", total}, {"coordinates", 7 * counted.bodies}, {"as_printed", 7 * counted.bodies - total},
+            {"degrees_of_freedom", counted.degrees_of_freedom}};
+}
+
+nlohmann::json write_table_3(const std::string& folder, double step) {
+    std::string text = "method,order,paper's ST_k,exact limit,paper's alpha [1/s],largest stable alpha [1/s]\n";
+    nlohmann::json rows = nlohmann::json::array();
+    for (const Method& method : methods) {
+        if (!method.paper_limit) continue;
+        text += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g}\n", method.name, method.order, *method.paper_limit, method.real_axis_limit,
+                            *method.paper_limit / step, method.real_axis_limit / step);
+        rows.push_back({{"order", method.order}, {"paper", *method.paper_limit}, {"exact", method.real_axis_limit}});
+    }
+    write_file(folder + "/table3_stability_limits.csv", text);
+    return rows;
+}
+
+// Runs the case itself; Figures 11 to 14 from its samples.
+RunSummary write_motion_figures(const std::string& folder, Simulation& simulation, const std::vector<Channel>& all) {
+    std::vector<Channel> channels;
+    for (const Figure& figure : figures) channels.push_back(select_channels(all, {figure.channel}).front());
+    std::vector<double> time;
+    std::vector<std::vector<double>> values(channels.size());
+    Progress progress("paper");
+    const RunSummary summary = record(
+        simulation, channels, figure_interval,
+        [&](const Sample& sample, const std::vector<double>& row) {
+            time.push_back(sample.time);
+            for (std::size_t i = 0; i < row.size(); ++i) values[i].push_back(row[i]);
+        },
+        [&](double share) { return progress.show(share), !interrupted(); });
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        const io::Column& column = channels[i].column;
+        const std::string base = folder + "/" + figures[i].file;
+        write_columns(base + ".csv", {"time [s]", fmt::format("{} [{}]", column.name, column.unit)}, {&time, &values[i]});
+        io::write_chart(base + ".svg", {figures[i].title, "time [s]", figures[i].y_label, {{"", time, values[i]}}});
+    }
+    return summary;
+}
+
+nlohmann::json write_figure_9(const std::string& folder, const VehicleDescription& vehicle, const ScenarioDescription& scenario) {
+    const auto runs = stabilization_sweep(vehicle, scenario, sweep_gains, figure_interval);
+    const double limit = find_method(scenario.solver.integrator)->real_axis_limit / scenario.solver.step;
+    std::string sweep = "alpha [1/s],alpha h,rms norm of Phi,largest norm of Phi,reached [s],stable\n";
+    io::Chart over_time{"Fig. 9  Norm of the constraint violations", "time [s]", "|Phi|", {}, true, {}};
+    io::Curve rms{"root mean square over the run", {}, {}, true}, largest{"largest", {}, {}, true};
+    const SweepRun* best = nullptr;
+    const SweepRun* at_paper = nullptr;
+    double first_unstable = 0;
+    for (const SweepRun& run : runs) {
+        sweep += fmt::format("{},{:.6g},{},{},{:.6g},{}\n", run.gain, run.gain * scenario.solver.step, run.rms_norm, run.max_norm, run.ended,
+                             run.blew_up ? "no" : "yes");
+        if (run.gain == paper_gain) at_paper = &run;
+        if (run.blew_up && first_unstable == 0) first_unstable = run.gain;
+        if (!run.blew_up) {
+            rms.x.push_back(run.gain), rms.y.push_back(run.rms_norm);
+            largest.x.push_back(run.gain), largest.y.push_back(run.max_norm);
+            if (!best || run.rms_norm < best->rms_norm) best = &run;
+        }
+        if (std::find(shown_gains.begin(), shown_gains.end(), run.gain) == shown_gains.end()) continue;
+        io::Curve curve{fmt::format("alpha = {:g}", run.gain), run.time, run.norm};
+        for (double& y : curve.y) y = std::max(y, 1e-17);  // zero has no logarithm
+        over_time.curves.push_back(curve);
+        write_columns(fmt::format("{}/fig09_alpha_{:g}.csv", folder, run.gain), {"time [s]", "|Phi|"}, {&run.time, &run.norm});
+    }
+    write_file(folder + "/fig09_sweep.csv", sweep);
+    io::write_chart(folder + "/fig09_norm_over_time.svg", over_time);
+    io::write_chart(folder + "/fig09_norm_over_alpha.svg",
+                    {"Fig. 9 swept: constraint violation against the gain", "alpha [1/s]", "norm of Phi", {rms, largest}, true,
+                     {{limit, fmt::format("stability limit {:.0f}", limit)}}});
+    return {{"paper_claim", {{"least_at_gain_per_s", paper_gain}, {"norm", paper_norm}}},
+            {"least_rms_at_gain_per_s", best ? nlohmann::json(best->gain) : nlohmann::json(nullptr)},
+            {"least_rms_norm", best ? nlohmann::json(best->rms_norm) : nlohmann::json(nullptr)},
+            {"rms_norm_at_paper_gain", at_paper->rms_norm}, {"largest_norm_at_paper_gain", at_paper->max_norm},
+            {"stability_limit_per_s", limit}, {"first_unstable_gain_per_s", first_unstable}};
+}
+
+void print_paper(const nlohmann::json& facts, const std::string& folder) {
+    const auto& fig9 = facts["figure_9"];
+    print_summary(facts["run"]);
+    fmt::print("\nTable 2   {} coordinates - {} constraints = {} as printed; {} degrees of freedom (the rack is prescribed)\n",
+               facts["table_2"]["coordinates"].get<int>(), facts["table_2"]["constraints"].get<int>(),
+               facts["table_2"]["as_printed"].get<int>(), facts["table_2"]["degrees_of_freedom"].get<int>());
+    fmt::print("Table 3   ST_3 = 0.4 in print, 6/11 exactly\n");
+    fmt::print("Figure 9  paper: least violation at alpha = {:g}, norm about {:g}\n", paper_gain, paper_norm);
+    fmt::print("          here:  least RMS norm {:.2e} at alpha = {:g}; at {:g} RMS {:.2e}, largest {:.2e}\n",
+               fig9["least_rms_norm"].get<double>(), fig9["least_rms_at_gain_per_s"].get<double>(), paper_gain,
+               fig9["rms_norm_at_paper_gain"].get<double>(), fig9["largest_norm_at_paper_gain"].get<double>());
+    fmt::print("          the run is lost from alpha = {:g} on; the limit is alpha h = 6/11, alpha = {:.1f}\n",
+               fig9["first_unstable_gain_per_s"].get<double>(), fig9["stability_limit_per_s"].get<double>());
+    fmt::print("\nData (.csv) and pictures (.svg) are in {}/\n", folder);
+}
+
+}  // namespace
+
+io::ExitCode paper(const Options& options) {
+    const ScenarioDescription scenario = io::read_scenario(options.file.empty() ? paper_scenario() : options.file);
+    const VehicleDescription vehicle = io::read_vehicle(scenario.vehicle);
+    const std::string folder = options.output.empty() ? "out/paper" : options.output;
+    make_folder(folder);
+    Simulation simulation(vehicle, scenario);
+    nlohmann::json facts;
+    facts["table_2"] = write_table_2(folder, simulation);
+    facts["table_3"] = write_table_3(folder, scenario.solver.step);
+    const RunSummary summary = write_motion_figures(folder, simulation, all_channels(vehicle));
+    facts["run"] = summary_json(simulation, summary, {});
+    if (summary.interrupted) return io::ExitCode::interrupted;
+    if (summary.ended_early) throw io::Error(io::ExitCode::numerical, *summary.ended_early);
+    facts["figure_9"] = write_figure_9(folder, vehicle, scenario);
+    facts["folder"] = folder;
+    write_file(folder + "/summary.json", facts.dump(2) + "\n");
+    if (options.json) {
+        fmt::print("{}\n", facts.dump(2));
+    } else {
+        print_paper(facts, folder);
+    }
+    return io::ExitCode::ok;
+}
+
+}  // namespace hamilcar::cli

@@ -1,0 +1,13 @@
+// What a run has to say at its end, once as JSON and once for people.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "hamilcar/run/record.hpp"
+
+namespace hamilcar::cli {
+
+nlohmann::json summary_json(const Simulation& simulation, const RunSummary& summary, const std::vector<std::string>& files);
+void print_summary(const nlohmann::json& facts);
+
+}  // namespace hamilcar::cli

@@ -1,0 +1,51 @@
+// Initial Process block (paper, section 6.1 (1)): from what a person knows of the start to a complete state.
+//
+// Newton-Raphson closes the loops, a second Newton iteration finds the static equilibrium on the road, and the momenta
+// P_a(0) follow from the initial velocities. Runs once, before the first step, in plain doubles.
+#pragma once
+
+#include <string>
+
+#include "hamilcar/block/momenta.hpp"
+
+namespace hamilcar {
+
+// How well one spoke's loops close at the state's coordinates.
+struct LoopReport {
+    int spoke = 0;
+    int cut = -1;          // the worst cut joint; -1 without loops
+    double opening = 0;    // of that joint [m]
+    double mobility = 1;   // |det Phi_w| over the product of its row norms: 0 where the linkage locks
+};
+LoopReport inspect_loops(const Model<double>& model, const RackMotion<double>& rack, const State<double>& state,
+                         int spoke);
+
+struct AssemblyResult {
+    bool assembled = true;
+    LoopReport worst;  // of the spoke that failed, else of the one that opens most
+};
+
+inline constexpr double assembly_tolerance = 1e-9;  // opening of a joint [m]
+inline constexpr double locked_mobility = 1e-4;     // below it Phi_w counts as singular
+
+// W by Newton-Raphson from where it stands, for the V of the state.
+AssemblyResult assemble(const Model<double>& model, const RackMotion<double>& rack, State<double>& state);
+
+// The state at design: chassis at `position` with `R_GC`, V at design, everything at rest, loops not yet closed.
+State<double> design_state(const Model<double>& model, const Vec3<double>& position, const Mat3<double>& R_GC);
+
+struct EquilibriumResult {
+    bool found = false;
+    double residual = 0;  // largest unbalanced force or moment [N, N m]
+};
+
+// Settles a state at rest: heave, roll, pitch and V such that no force is left; wheels that stand on a slope hold the
+// car by tire deflection and brake if the brakes can. Heading and ground position are kept.
+EquilibriumResult settle(const Model<double>& model, Input<double> input, State<double>& state);
+
+// P_a(0) for the chassis moving with v_1 (velocity of its origin ; angular velocity, chassis axes) and V' = 0. Wheels
+// roll without longitudinal slip.  // (57)
+void set_velocities(const Model<double>& model, const Input<double>& input, const Spatial<double>& v_1,
+                    State<double>& state);
+
+}  // namespace hamilcar

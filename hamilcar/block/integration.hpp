@@ -1,0 +1,49 @@
+// Integration block (paper, section 6.1 (3)): q and P_a to the next step, then back onto what must hold exactly.
+//
+// In exact mode W is integrated with alpha = 0, which is a prediction, and a Newton step on Phi(V, W, t) = 0 puts it back
+// on the constraints at the end of each step; in the paper's mode (27) does this job. The quaternion is brought back to
+// unit length. Neither touches an independent coordinate or a momentum.
+#pragma once
+
+#include "hamilcar/block/ring.hpp"
+#include "hamilcar/integrator/integrator.hpp"
+
+namespace hamilcar {
+
+// W from Phi(V, W, t) = 0 by warm-started Newton steps.
+template <class T>
+void close_loops(const Model<T>& model, const RackMotion<T>& rack, State<T>& state, int newton_steps) {
+    for (int i = 0; i < model.vehicle.spoke_count(); ++i) {
+        const SpokeState<T> spoke = state.spoke(i);
+        std::visit(
+            [&](const auto& suspension) {
+                for (int n = 0; n < newton_steps; ++n) {
+                    suspension.linkage.newton_step(spoke.independent, spoke.dependent, rack);
+                }
+            },
+            model.vehicle.spokes[i].suspension);
+    }
+}
+
+template <class T>
+void normalize_orientation(State<T>& state) {
+    const Vector<T, 4> q = state.orientation();
+    state.orientation() = q * (T(1) / sqrt(q.squaredNorm()));
+}
+
+// One step; `input_at(t)` is the driver. Returns the worst health met on the way.
+template <class T, class Driver>
+Health<T> integration_block(const Model<T>& model, Integrator<State<T>>& integrator, const Driver& input_at, double t,
+                       State<T>& state) {
+    Health<T> health;
+    integrator.advance(
+        [&](double time, const State<T>& at, State<T>& rate) {
+            health.include(evaluate(model, input_at(time), at, rate));
+        },
+        t, state);
+    if (model.constraints == ConstraintMode::exact) close_loops(model, input_at(t + integrator.step()).rack, state, 1);
+    if (model.chart == ChassisChart::quaternion) normalize_orientation(state);
+    return health;
+}
+
+}  // namespace hamilcar

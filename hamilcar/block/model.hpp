@@ -1,0 +1,34 @@
+// What the four blocks share and never change: the car, the road, and how the equations are to be integrated.
+#pragma once
+
+#include "hamilcar/driver/scenario.hpp"
+#include "hamilcar/road/plane.hpp"
+#include "hamilcar/vehicle/chart.hpp"
+#include "hamilcar/vehicle/state.hpp"
+
+namespace hamilcar {
+
+template <class T>
+struct Model {
+    Vehicle<T> vehicle;
+    PlaneRoad<T> road;
+    ChassisChart chart = ChassisChart::quaternion;
+    ConstraintMode constraints = ConstraintMode::exact;
+    T stabilization_gain{0};  // alpha of (27) [1/s]; zero in exact mode
+};
+
+// What the driver does at one instant.
+template <class T>
+struct Input {
+    RackMotion<T> rack;
+    T drive_torque{0};  // at the driven wheels together [N m]
+    T brake{0};         // command, 0 to 1
+};
+
+// Calls f with the chart object the model names.
+template <class T, class F>
+decltype(auto) with_chart(const Model<T>& model, F&& f) {
+    return model.chart == ChassisChart::quaternion ? f(QuaternionChart<T>{}) : f(BryantChart<T>{});
+}
+
+}  // namespace hamilcar

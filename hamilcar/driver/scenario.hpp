@@ -1,0 +1,74 @@
+// A scenario as a person writes it down: which vehicle, from where, for how long, what the driver does, what is recorded.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hamilcar {
+
+enum class Interpolation { smooth, linear };  // monotone cubic (continuous rate) or straight lines
+
+// An input over time; constant before the first and after the last point. Times strictly increase.
+struct SignalDescription {
+    std::vector<double> time;   // [s]
+    std::vector<double> value;  // unit of the input
+    Interpolation interpolation = Interpolation::smooth;
+};
+
+enum class SteeringInput { none, steering_wheel, rack };
+enum class ConstraintMode { exact, stabilized };     // W solved from Phi = 0, or integrated with (27)
+enum class StabilizationRule { paper, limit, value };  // alpha = ST_k / h of Table 3, a fraction of the exact limit, or a number
+enum class ChassisChart { quaternion, bryant };      // orientation coordinates of the hub
+
+struct SolverDescription {
+    double step = 1e-3;                // [s]
+    std::string integrator = "ab3";    // name in the list of integrators
+    double tolerance = 1e-8;           // relative error per step, adaptive methods only [1]
+    ConstraintMode constraints = ConstraintMode::exact;
+    StabilizationRule stabilization = StabilizationRule::paper;
+    double stabilization_gain = 0;     // alpha [1/s], with StabilizationRule::value
+    ChassisChart chart = ChassisChart::quaternion;
+    bool check_stability = true;       // refuse a gain beyond the limit; only the sweep of Fig. 9 turns it off
+};
+
+// The chassis is first put in static equilibrium on the road (unless `settle` is false: then at `height`), then moved.
+struct InitialDescription {
+    bool settle = true;
+    std::array<double, 2> position{};          // x, y of the vehicle origin on the ground [m]
+    double height = 0;                         // of the vehicle origin above the road, if not settled [m]
+    double yaw = 0;                            // [rad]
+    double roll = 0, pitch = 0;                // if not settled [rad]
+    std::array<double, 3> velocity{};          // of the vehicle origin, vehicle axes [m/s]; wheels roll along
+    std::array<double, 3> angular_velocity{};  // vehicle axes [rad/s]
+};
+
+// A plane road. Grade: rise over run along ground x (uphill positive); bank: rise over run along ground y.
+struct RoadDescription {
+    double grade = 0, bank = 0;  // [1]
+    double friction = 1;         // factor on the tire's friction [1]
+};
+
+struct OutputDescription {
+    double interval = 0.01;             // [s]
+    std::vector<std::string> channels;  // names or prefixes with '*'; empty: the default set
+    bool csv = true, netcdf = true;
+};
+
+struct ScenarioDescription {
+    std::string name;
+    std::string vehicle;  // path of the vehicle file, resolved against the scenario's folder
+    double duration = 0;  // [s]
+    SolverDescription solver;
+    InitialDescription initial;
+    RoadDescription road;
+    SteeringInput steering_input = SteeringInput::none;
+    SignalDescription steering;  // steering wheel angle [rad] or rack displacement [m]
+    SignalDescription drive;     // torque at the driven wheels together [N m]
+    SignalDescription brake;     // pedal command, 0 to 1 [1]
+    OutputDescription output;
+};
+
+}  // namespace hamilcar

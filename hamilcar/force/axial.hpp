@@ -1,0 +1,71 @@
+// Forces along a line or a travel: spring, damper, stop. Positive pushes the line's ends apart (docs/models/forces.md).
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "hamilcar/scalar/scalar.hpp"
+#include "hamilcar/vehicle/description.hpp"
+
+namespace hamilcar {
+
+template <class T>
+struct Spring {
+    T rate, force_at_design, design_length;
+
+    T force(const T& length) const { return force_at_design + rate * (design_length - length); }
+    // Energy relative to the design length [J].
+    T potential(const T& length) const {
+        const T compressed = design_length - length;
+        return compressed * (force_at_design + T(0.5) * rate * compressed);
+    }
+};
+
+// Piecewise linear through its points, as a sum of clamped ramps: no search, no branch on the velocity.
+template <class T>
+struct Damper {
+    static constexpr std::size_t max_segments = 8;
+    T slope_below, slope_above;  // outside the points [N s/m]
+    T first, last;               // outer velocities [m/s]
+    T force_at_first;            // [N]
+    int segments = 0;
+    std::array<T, max_segments> start, end, slope;
+
+    Damper() = default;
+    explicit Damper(const DamperDescription& d) : segments(static_cast<int>(d.velocity.size()) - 1) {
+        const auto gradient = [&](std::size_t i) {
+            return (d.force[i + 1] - d.force[i]) / (d.velocity[i + 1] - d.velocity[i]);
+        };
+        const std::size_t count = d.velocity.size() - 1;
+        for (std::size_t i = 0; i < count; ++i) {
+            start[i] = T(d.velocity[i]), end[i] = T(d.velocity[i + 1]), slope[i] = T(gradient(i));
+        }
+        first = T(d.velocity.front()), last = T(d.velocity.back());
+        force_at_first = T(d.force.front());
+        slope_below = T(gradient(0)), slope_above = T(gradient(count - 1));
+    }
+
+    // Force at a rate of extension [m/s].
+    T force(const T& rate) const {
+        T resisting = force_at_first + slope_below * min(rate - first, T(0)) + slope_above * max(rate - last, T(0));
+        for (int i = 0; i < segments; ++i) resisting += slope[i] * (clamp(rate, start[i], end[i]) - start[i]);
+        return -resisting;
+    }
+};
+
+// Pushes back when `travel` passes the gap; both stops of a corner use it, with the travel's sign turned for rebound.
+template <class T>
+struct Stop {
+    T gap, rate, progression;
+
+    T force(const T& travel) const {
+        const T x = max(travel - gap, T(0));
+        return -x * (rate + progression * x);
+    }
+    T potential(const T& travel) const {
+        const T x = max(travel - gap, T(0));
+        return x * x * (T(0.5) * rate + progression * x * T(1.0 / 3));
+    }
+};
+
+}  // namespace hamilcar

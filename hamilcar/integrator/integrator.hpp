@@ -1,0 +1,154 @@
+// Advances a row of numbers by one step of a chosen method. Holds what multi-step methods remember; never allocates.
+//
+// The right-hand side is any f(t, y, rate). Adams methods start with a Runge-Kutta method of order six, so their first
+// steps are as accurate as the rest. The adaptive method meets the ends of the given steps and divides them as its error
+// estimate asks.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "hamilcar/integrator/methods.hpp"
+#include "hamilcar/scalar/scalar.hpp"
+
+namespace hamilcar {
+
+// `State` has an array `values` of T; the first `size` of them are integrated.
+template <class State>
+class Integrator {
+public:
+    Integrator(const Method& method, double step, int size, double tolerance = 1e-8)
+        : method_(method), step_(step), size_(size), tolerance_(tolerance), substep_(step) {}
+
+    const Method& method() const { return method_; }
+    double step() const { return step_; }
+    // Forgets the past, as after a jump in the state.
+    void restart() { remembered_ = 0; }
+    // False once the adaptive method could not meet its tolerance with any step.
+    bool converged() const { return converged_; }
+
+    // y(t) -> y(t + step).
+    template <class F>
+    void advance(F&& f, double t, State& y) {
+        switch (method_.family) {
+            case MethodFamily::adams_bashforth: return advance_adams(f, t, y, false);
+            case MethodFamily::adams_bashforth_moulton: return advance_adams(f, t, y, true);
+            case MethodFamily::runge_kutta: return advance_runge_kutta(classical_runge_kutta, f, t, step_, y);
+            case MethodFamily::embedded_runge_kutta: return advance_adaptive(f, t, y);
+        }
+    }
+
+private:
+    using T = typename decltype(State::values)::value_type;
+
+    template <class F>
+    void advance_adams(F& f, double t, State& y, bool corrected) {
+        newest_ = (newest_ + 1) % max_adams_order;
+        f(t, y, past_[newest_]);
+        if (remembered_ < method_.order) ++remembered_;
+        if (remembered_ < method_.order) return advance_runge_kutta(butcher_6, f, t, step_, y);
+        if (!corrected) return add_past(adams_bashforth[method_.order - 1], 0, y, y);
+
+        State predicted = y;
+        add_past(adams_bashforth[method_.order - 1], 0, y, predicted);
+        f(t + step_, predicted, work_[0]);
+        const AdamsRow& a = adams_moulton[method_.order - 1];
+        add_past(a, 1, y, y);
+        const T weight(step_ * a[0]);
+        for (int i = 0; i < size_; ++i) y.values[i] += weight * work_[0].values[i];
+    }
+
+    // to = from + h sum_j row[j + skip] f_{n-j}
+    void add_past(const AdamsRow& row, int skip, const State& from, State& to) {
+        std::array<const T*, max_adams_order> rate;
+        std::array<T, max_adams_order> weight;
+        const int count = method_.order - skip;
+        for (int j = 0; j < count; ++j) {
+            rate[j] = past_[(newest_ + max_adams_order - j) % max_adams_order].values.data();
+            weight[j] = T(step_ * row[j + skip]);
+        }
+        for (int i = 0; i < size_; ++i) {
+            T sum = weight[0] * rate[0][i];
+            for (int j = 1; j < count; ++j) sum += weight[j] * rate[j][i];
+            to.values[i] = from.values[i] + sum;
+        }
+    }
+
+    template <class F>
+    void stages(const Tableau& method, F& f, double t, double h, const State& y) {
+        for (int s = 0; s < method.stages; ++s) {
+            State& at = work_[max_stages];
+            at = y;
+            for (int j = 0; j < s; ++j) {
+                if (method.stage[s][j] == 0) continue;
+                const T weight(h * method.stage[s][j]);
+                for (int i = 0; i < size_; ++i) at.values[i] += weight * work_[j].values[i];
+            }
+            f(t + h * method.nodes[s], at, work_[s]);
+        }
+    }
+
+    void add_stages(const std::array<double, max_stages>& weights, int count, double h, State& y) const {
+        for (int s = 0; s < count; ++s) {
+            if (weights[s] == 0) continue;
+            const T weight(h * weights[s]);
+            for (int i = 0; i < size_; ++i) y.values[i] += weight * work_[s].values[i];
+        }
+    }
+
+    template <class F>
+    void advance_runge_kutta(const Tableau& method, F& f, double t, double h, State& y) {
+        stages(method, f, t, h, y);
+        add_stages(method.weights, method.stages, h, y);
+    }
+
+    // Largest error of a trial step relative to the tolerance; numbers below one count as one.
+    double error_ratio(double h, const State& y) const {
+        double worst = 0;
+        for (int i = 0; i < size_; ++i) {
+            T error(0);
+            for (int s = 0; s < dormand_prince.stages; ++s) {
+                error += T(h * (dormand_prince.weights[s] - dormand_prince.embedded[s])) * work_[s].values[i];
+            }
+            const double scale = std::max(1.0, std::fabs(value_of(y.values[i])));
+            const double ratio = std::fabs(value_of(error)) / (tolerance_ * scale);
+            if (!(ratio <= worst)) worst = ratio;  // a NaN is the worst
+        }
+        return worst;
+    }
+
+    template <class F>
+    void advance_adaptive(F& f, double t, State& y) {
+        double done = 0;
+        while (done < step_) {
+            const bool last = substep_ >= step_ - done;
+            const double h = last ? step_ - done : substep_;
+            stages(dormand_prince, f, t + done, h, y);
+            const double ratio = error_ratio(h, y);
+            const bool smallest = h < 1e-9 * step_;
+            if (ratio <= 1 || smallest) {
+                add_stages(dormand_prince.weights, dormand_prince.stages, h, y);
+                done = last ? step_ : done + h;
+                converged_ = converged_ && ratio <= 1;
+                if (smallest) return;
+            }
+            const double factor = ratio > 0 ? 0.9 * std::pow(ratio, -0.2) : 5.0;
+            const double wanted = h * std::min(5.0, std::max(0.2, std::isfinite(factor) ? factor : 0.2));
+            if (!last || wanted < substep_ || ratio > 1) substep_ = wanted;
+            substep_ = std::min(substep_, step_);
+        }
+    }
+
+    Method method_;
+    double step_;
+    int size_;
+    double tolerance_;
+    double substep_;
+    bool converged_ = true;
+    int remembered_ = 0;
+    int newest_ = 0;
+    std::array<State, max_adams_order> past_{};
+    std::array<State, max_stages + 1> work_{};
+};
+
+}  // namespace hamilcar

@@ -1,0 +1,52 @@
+// An inertia is checked by what every mass distribution obeys: principal moments are sums A = b + c, B = a + c,
+// C = a + b of integrals a, b, c >= 0, hence none is negative and none exceeds the sum of the other two.
+#include "hamilcar/io/body_file.hpp"
+
+#include "hamilcar/io/number_text.hpp"
+#include "hamilcar/math/convert.hpp"
+#include "hamilcar/math/eigen.hpp"
+
+#include <Eigen/Eigenvalues>
+
+namespace hamilcar::io {
+
+namespace {
+
+constexpr double rounding = 1e-9;  // allowed violation, relative to the largest moment: a flat disc is at the limit
+
+Mat3<double> inertia_matrix(const BodyDescription& body) {
+    const auto& [xx, yy, zz] = body.inertia;
+    const auto& [xy, yz, xz] = body.products;
+    Mat3<double> matrix;
+    matrix << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    return matrix;
+}
+
+// Principal moments, ascending.
+Vec3<double> principal_moments(const Mat3<double>& inertia) {
+    return Eigen::SelfAdjointEigenSolver<Mat3<double>>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+void check_inertia(const TableReader& table, const BodyDescription& body, const WheelDescription& wheel) {
+    const Vec3<double> axis = vec3(wheel.spin_axis);
+    const Mat3<double> resting = inertia_matrix(body), whole = resting + wheel.spin_inertia * axis * axis.transpose();
+    const Vec3<double> least = principal_moments(resting), moments = principal_moments(whole);
+    table.expect(least[0] >= -rounding * least[2], "inertia_kg_m2",
+                 "no principal moment below zero (here " + number_text(least[0]) + ")");
+    table.expect(moments[2] <= (moments[0] + moments[1]) * (1 + rounding), "inertia_kg_m2",
+                 "no principal moment above the sum of the other two (here " + number_text(moments[0]) + ", " +
+                     number_text(moments[1]) + ", " + number_text(moments[2]) + ")");
+}
+
+}  // namespace
+
+BodyDescription read_body(const TableReader& table, const WheelDescription& wheel) {
+    const BodyDescription body{.mass = table.number("mass_kg", positive),
+                               .center_of_mass = table.array<3>("center_of_mass_m"),
+                               .inertia = table.array<3>("inertia_kg_m2"),
+                               .products = table.array<3>("products_kg_m2", Point{})};
+    check_inertia(table, body, wheel);
+    return body;
+}
+
+}  // namespace hamilcar::io

@@ -1,0 +1,12 @@
+// Reads a rigid body: `mass_kg`, `center_of_mass_m`, `inertia_kg_m2`, `products_kg_m2`.
+#pragma once
+
+#include "hamilcar/io/table_reader.hpp"
+#include "hamilcar/vehicle/description.hpp"
+
+namespace hamilcar::io {
+
+// A carrier's inertia leaves out what spins; `wheel` says what that is.
+BodyDescription read_body(const TableReader& table, const WheelDescription& wheel = {});
+
+}  // namespace hamilcar::io

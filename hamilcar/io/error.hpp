@@ -1,0 +1,29 @@
+// What a person's mistake looks like: one message that says where, which key, what value, what was expected.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace hamilcar::io {
+
+// Exit codes of every command, also the category of an Error.
+enum class ExitCode : int {
+    ok = 0,
+    failed = 1,       // a check or run did not meet its criterion
+    usage = 2,        // command line
+    bad_file = 3,     // vehicle or scenario file
+    numerical = 4,    // no assembly, singular linkage, non-finite state
+    input_output = 5, // a path that cannot be read or written, a full disk
+    interrupted = 130
+};
+
+class Error : public std::runtime_error {
+public:
+    Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+    ExitCode code() const { return code_; }
+
+private:
+    ExitCode code_;
+};
+
+}  // namespace hamilcar::io

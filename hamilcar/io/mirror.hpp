@@ -1,0 +1,11 @@
+// The right side of an axle: the left one seen in the plane y = 0.
+#pragma once
+
+#include "hamilcar/vehicle/description.hpp"
+
+namespace hamilcar::io {
+
+// Everything but the name.
+CornerDescription mirrored(CornerDescription left);
+
+}  // namespace hamilcar::io

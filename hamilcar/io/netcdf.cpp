@@ -1,0 +1,140 @@
+// netCDF classic with 64-bit offsets: everything along one unlimited dimension `time`, opened by xarray, MATLAB, Octave
+// and Julia alike. The library writes variable by variable, so rows gather in a block that is stored column by column.
+//
+// A reader believes the number of records in the file's header, not the file's length. So what was flushed stays
+// readable when the program is killed; after a full disk the number is set back to that of the last flush.
+#include <netcdf.h>
+
+#include <array>
+#include <cassert>
+#include <cstdint>
+#include <cstdio>
+#include <utility>
+
+#include "hamilcar/io/error.hpp"
+#include "hamilcar/io/number_text.hpp"
+#include "hamilcar/io/results.hpp"
+
+namespace hamilcar::io {
+
+namespace {
+
+constexpr std::size_t rows_per_block = 256;
+constexpr std::size_t file_buffer = 1 << 18;  // of the library; small ones cost ten times as much per row [byte]
+constexpr int closed = -1;
+
+class NetcdfWriter final : public ResultWriter {
+public:
+    NetcdfWriter(const std::string& path, const std::vector<Column>& columns, const std::string& title) : path_(path) {
+        std::size_t buffer = file_buffer;
+        check(nc__create(path.c_str(), NC_CLOBBER | NC_64BIT_OFFSET, 0, &buffer, &file_), "open for writing");
+        try {
+            define(columns, title);
+        } catch (const Error&) {
+            nc_abort(std::exchange(file_, closed));
+            throw;
+        }
+        block_.resize(variables_.size() * rows_per_block);
+    }
+    NetcdfWriter(const NetcdfWriter&) = delete;
+    NetcdfWriter& operator=(const NetcdfWriter&) = delete;
+    ~NetcdfWriter() override {
+        try {
+            close();
+        } catch (const Error&) {  // who wants to know calls `close`
+        }
+    }
+
+    void write(double time, std::span<const double> values) override {
+        assert(values.size() + 1 == variables_.size());
+        if (pending_ == 0 && stored_ == flushed_) first_unflushed_ = time;
+        double* cell = block_.data() + pending_;
+        *cell = time;
+        for (const double value : values) *(cell += rows_per_block) = value;
+        if (++pending_ == rows_per_block) store_block();
+    }
+
+    void flush() override {
+        store_block();
+        check_row(nc_sync(file_));
+        flushed_ = stored_;
+    }
+
+    void close() override {
+        if (file_ == closed) return;
+        flush();
+        check(nc_close(std::exchange(file_, closed)), "close");
+    }
+
+private:
+    void define(const std::vector<Column>& columns, const std::string& title) {
+        set_text(NC_GLOBAL, "title", title);
+        set_text(NC_GLOBAL, "source", "Hamilcar " HAMILCAR_VERSION);
+        int dimension = 0, previous_fill = 0;
+        check(nc_def_dim(file_, "time", NC_UNLIMITED, &dimension), "define the dimension time");
+        define_variable(dimension, {"time", "s", "time since the start of the run"});
+        for (const Column& column : columns) define_variable(dimension, column);
+        check(nc_set_fill(file_, NC_NOFILL, &previous_fill), "turn off filling");
+        check(nc_enddef(file_), "write the header");
+        check(nc_sync(file_), "write the header");
+    }
+
+    void define_variable(int dimension, const Column& column) {
+        int variable = 0;
+        check(nc_def_var(file_, column.name.c_str(), NC_DOUBLE, 1, &dimension, &variable), "define " + column.name);
+        set_text(variable, "units", column.unit);
+        set_text(variable, "long_name", column.description);
+        variables_.push_back(variable);
+    }
+
+    void set_text(int variable, const char* attribute, const std::string& text) {
+        check(nc_put_att_text(file_, variable, attribute, text.size(), text.data()), "set an attribute");
+    }
+
+    void store_block() {
+        const double* values = block_.data();
+        for (const int variable : variables_) {
+            check_row(nc_put_vara_double(file_, variable, &stored_, &pending_, values));
+            values += rows_per_block;
+        }
+        stored_ += pending_;
+        pending_ = 0;
+    }
+
+    void check(int status, const std::string& action) const {
+        if (status == NC_NOERR) return;
+        throw Error(ExitCode::input_output, path_ + ": cannot " + action + ": " + nc_strerror(status));
+    }
+
+    // The disk took no more: close, and let the header tell of what was flushed before.
+    void check_row(int status) {
+        if (status == NC_NOERR) return;
+        nc_close(std::exchange(file_, closed));
+        if (std::FILE* file = std::fopen(path_.c_str(), "r+b")) {
+            const auto count = static_cast<std::uint32_t>(flushed_);
+            const std::array<unsigned char, 4> big_endian{
+                static_cast<unsigned char>(count >> 24), static_cast<unsigned char>(count >> 16),
+                static_cast<unsigned char>(count >> 8), static_cast<unsigned char>(count)};
+            std::fseek(file, 4, SEEK_SET);  // after 'C' 'D' 'F' and the version
+            std::fwrite(big_endian.data(), 1, big_endian.size(), file);
+            std::fclose(file);
+        }
+        check(status, "write row at t = " + number_text(first_unflushed_) + " s");
+    }
+
+    std::string path_;
+    int file_ = closed;
+    std::vector<int> variables_;  // time first
+    std::vector<double> block_;   // rows_per_block values of each variable, one variable after the other
+    std::size_t pending_ = 0, stored_ = 0, flushed_ = 0;  // rows in the block, given to the library, on disk
+    double first_unflushed_ = 0;                          // time of the first row not on disk [s]
+};
+
+}  // namespace
+
+std::unique_ptr<ResultWriter> open_netcdf(const std::string& path, const std::vector<Column>& columns,
+                                          const std::string& title) {
+    return std::make_unique<NetcdfWriter>(path, columns, title);
+}
+
+}  // namespace hamilcar::io

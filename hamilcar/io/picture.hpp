@@ -1,0 +1,25 @@
+// Line charts as SVG files, drawn by gnuplot.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace hamilcar::io {
+
+struct Curve {
+    std::string label;
+    std::vector<double> x, y;
+    bool points = false;  // marks as well as a line
+};
+
+struct Chart {
+    std::string title, x_label, y_label;
+    std::vector<Curve> curves;
+    bool log_y = false;
+    std::vector<std::pair<double, std::string>> vertical_marks;  // x and its label
+};
+
+// Throws Error(input_output) if gnuplot is missing or the file cannot be written.
+void write_chart(const std::string& path, const Chart& chart);
+
+}  // namespace hamilcar::io

@@ -1,0 +1,31 @@
+// Results on disk while the run goes on: one row of channel values at a time, to CSV and netCDF.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hamilcar::io {
+
+struct Column {
+    std::string name;         // "chassis.position.y"
+    std::string unit;         // "m"; "1" where dimensionless
+    std::string description;  // one phrase, netCDF long_name
+};
+
+// A file that receives rows. A row is on its way to the disk when `write` returns and on it after `flush`;
+// the file is readable by others after every flush. Throws Error(input_output) naming the path and the cause.
+class ResultWriter {
+public:
+    virtual ~ResultWriter() = default;
+    virtual void write(double time, std::span<const double> values) = 0;
+    virtual void flush() = 0;
+    virtual void close() = 0;  // flush, and report what a destructor could not
+};
+
+// `title` and `source` become global attributes (netCDF) or nothing (CSV: the first row is `name [unit]` headings).
+std::unique_ptr<ResultWriter> open_csv(const std::string& path, const std::vector<Column>& columns);
+std::unique_ptr<ResultWriter> open_netcdf(const std::string& path, const std::vector<Column>& columns, const std::string& title);
+
+}  // namespace hamilcar::io

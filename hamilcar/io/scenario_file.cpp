@@ -1,0 +1,130 @@
+// One function per table of the file, in the order of docs/files/scenario.md.
+#include "hamilcar/io/scenario_file.hpp"
+
+#include <algorithm>
+
+#include "hamilcar/integrator/methods.hpp"
+#include "hamilcar/io/number_text.hpp"
+#include "hamilcar/io/table_reader.hpp"
+
+namespace hamilcar::io {
+
+namespace {
+
+template <class Value>
+struct Word {
+    std::string_view word;
+    Value meaning;
+};
+
+// What the word at a key means; the first one if the key is absent.
+template <class Value>
+Value word(const TableReader& table, std::string_view key, const Word<Value>& usual, const Word<Value>& other) {
+    return table.one_of(key, std::array{usual.word, other.word}, 0) == 0 ? usual.meaning : other.meaning;
+}
+
+SolverDescription read_solver(const TableReader& table) {
+    std::array<std::string_view, methods.size()> names;
+    std::ranges::transform(methods, names.begin(), &Method::name);
+    SolverDescription solver;
+    const auto usual = static_cast<std::size_t>(std::ranges::find(names, solver.integrator) - names.begin());
+    solver.step = table.number("step_s", positive, solver.step);
+    solver.integrator = names[table.one_of("integrator", names, usual)];
+    solver.tolerance = table.number("tolerance", positive, solver.tolerance);
+    solver.constraints = word<ConstraintMode>(table, "constraints", {"exact", ConstraintMode::exact},
+                                              {"stabilized", ConstraintMode::stabilized});
+    solver.chart = word<ChassisChart>(table, "chart", {"quaternion", ChassisChart::quaternion},
+                                      {"bryant", ChassisChart::bryant});
+    if (table.chosen({{"stabilization"}, {"stabilization_gain_per_s"}}) == 0) {
+        solver.stabilization = word<StabilizationRule>(table, "stabilization", {"paper", StabilizationRule::paper},
+                                                       {"limit", StabilizationRule::limit});
+    } else {
+        solver.stabilization = StabilizationRule::value;
+        solver.stabilization_gain = table.number("stabilization_gain_per_s", not_negative);
+    }
+    return solver;
+}
+
+// A single number is a speed straight ahead.
+std::array<double, 3> read_velocity(const TableReader& table) {
+    constexpr std::string_view key = "velocity_m_per_s";
+    return table.has_list(key) ? table.array<3>(key) : std::array<double, 3>{table.number(key, any_number, 0), 0, 0};
+}
+
+InitialDescription read_initial(const TableReader& table) {
+    const InitialDescription initial{.settle = table.boolean("settle", true),
+                                     .position = table.array<2>("position_m", {0, 0}),
+                                     .height = table.number("height_m", any_number, 0),
+                                     .yaw = table.number("yaw_deg", any_number, 0),
+                                     .roll = table.number("roll_deg", any_number, 0),
+                                     .pitch = table.number("pitch_deg", any_number, 0),
+                                     .velocity = read_velocity(table),
+                                     .angular_velocity = table.array<3>("angular_velocity_deg_per_s", {0, 0, 0})};
+    for (const std::string_view key : {"height_m", "roll_deg", "pitch_deg"}) {
+        table.expect(!initial.settle || !table.has(key), key, "'settle = false' beside it; settling finds this itself");
+    }
+    return initial;
+}
+
+RoadDescription read_road(const TableReader& table) {
+    return {.grade = table.number("grade_percent", any_number, 0),
+            .bank = table.number("bank_percent", any_number, 0),
+            .friction = table.number("friction", positive, 1)};
+}
+
+// One number holds for the whole run, a list goes with the times in `time_s`.
+SignalDescription read_signal(const TableReader& table, std::string_view key, const Range& range) {
+    const auto interpolation = word<Interpolation>(table, "interpolation", {"smooth", Interpolation::smooth},
+                                                   {"linear", Interpolation::linear});
+    if (!table.has_list(key) && !table.has("time_s")) return {{0}, {table.number(key, range)}, interpolation};
+    const Samples samples = table.samples("time_s", key, range);
+    return {samples.argument, samples.value, interpolation};
+}
+
+SignalDescription read_optional_signal(const TableReader& inputs, std::string_view name, std::string_view key,
+                                       const Range& range) {
+    const auto table = inputs.optional_table(name);
+    return table ? read_signal(*table, key, range) : SignalDescription{};
+}
+
+void read_inputs(const TableReader& inputs, ScenarioDescription& scenario) {
+    scenario.drive = read_optional_signal(inputs, "drive", "torque_N_m", any_number);
+    scenario.brake = read_optional_signal(inputs, "brake", "command", fraction);
+    const bool at_wheel = inputs.chosen({{"steering_wheel"}, {"rack"}}) == 0;
+    if (at_wheel && inputs.has("steering_wheel")) {
+        scenario.steering_input = SteeringInput::steering_wheel;
+        scenario.steering = read_signal(inputs.table("steering_wheel"), "angle_deg", any_number);
+    } else if (!at_wheel) {
+        scenario.steering_input = SteeringInput::rack;
+        scenario.steering = read_signal(inputs.table("rack"), "displacement_m", any_number);
+    }
+}
+
+OutputDescription read_output(const TableReader& table) {
+    return {.interval = table.number("interval_s", not_negative, OutputDescription{}.interval),
+            .channels = table.texts("channels"),
+            .csv = table.boolean("csv", true),
+            .netcdf = table.boolean("netcdf", true)};
+}
+
+}  // namespace
+
+ScenarioDescription read_scenario(const std::string& path) {
+    Node document = read_toml(path);
+    const TableReader file(document, "");
+    ScenarioDescription scenario;
+    scenario.name = file.text("name");
+    scenario.vehicle = file.path_to_file("vehicle");
+    scenario.duration = file.number("duration_s", positive);
+    if (const auto table = file.optional_table("solver")) scenario.solver = read_solver(*table);
+    if (const auto table = file.optional_table("initial")) scenario.initial = read_initial(*table);
+    if (const auto table = file.optional_table("road")) scenario.road = read_road(*table);
+    if (const auto table = file.optional_table("inputs")) read_inputs(*table, scenario);
+    if (const auto table = file.optional_table("output")) scenario.output = read_output(*table);
+    file.expect(scenario.solver.step <= scenario.duration, "duration_s",
+                "at least one step of " + number_text(scenario.solver.step));
+    file.finish();
+    return scenario;
+}
+
+}  // namespace hamilcar::io

@@ -1,0 +1,13 @@
+// Reads a scenario file (TOML) into a ScenarioDescription; docs/files/scenario.md lists the keys.
+#pragma once
+
+#include <string>
+
+#include "hamilcar/driver/scenario.hpp"
+
+namespace hamilcar::io {
+
+// Throws Error (bad_file or input_output) with file, line, column, key, value, expectation and unit.
+ScenarioDescription read_scenario(const std::string& path);
+
+}  // namespace hamilcar::io

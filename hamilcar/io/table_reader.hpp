@@ -1,0 +1,106 @@
+// Typed access to the keys of one table. Reading a key is one line that states all there is to know about it:
+//
+//     .mass = chassis.number("mass_kg", positive),            required, in the key's unit, checked
+//     .gravity = root.number("gravity_m_per_s2", positive, 9.80665),          optional
+//
+// The unit is part of the key (key_unit.hpp); numbers come back in SI, angles in radians. Every key asked for is noted,
+// so `finish` can tell a misspelled key from a known one. A mistake ends the reading with one Error that says
+// "file:line:column: key 'chassis.mass_kg' = -3: expected a positive number [kg]".
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "hamilcar/io/toml_document.hpp"
+
+namespace hamilcar::io {
+
+// What a number may be, as written in the file; `words` follow "expected a".
+struct Range {
+    std::string_view words;
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+    bool least_included = true;
+};
+inline constexpr Range any_number{"number"};
+inline constexpr Range positive{"positive number", 0, std::numeric_limits<double>::infinity(), false};
+inline constexpr Range not_negative{"number not below zero", 0};
+inline constexpr Range fraction{"number from 0 to 1", 0, 1};
+
+struct Samples {
+    std::vector<double> argument, value;
+};
+using Alternatives = std::initializer_list<std::initializer_list<std::string_view>>;
+
+class TableReader {
+public:
+    // `path` is the table's name in messages, "axle[front].spring"; empty for a whole file.
+    TableReader(Node& table, std::string path) : node_(&table), path_(std::move(path)) {}
+
+    bool has(std::string_view key) const { return find(key) != nullptr; }
+    bool has_list(std::string_view key) const;
+    // Which of several groups of keys that state the same thing differently is present; the first if none is. Two in
+    // one file are a mistake; a file's own choice overrides the one it inherits.
+    std::size_t chosen(Alternatives groups) const;
+
+    double number(std::string_view key, const Range& range) const;
+    double number(std::string_view key, const Range& range, double otherwise) const;
+    bool boolean(std::string_view key, bool otherwise) const;
+    std::string text(std::string_view key) const;
+    std::vector<std::string> texts(std::string_view key) const;  // empty if absent
+    // The text as a path, resolved against the folder of the file that it stands in.
+    std::string path_to_file(std::string_view key) const;
+
+    template <std::size_t N>
+    std::array<double, N> array(std::string_view key) const {  // a list of exactly N numbers
+        std::array<double, N> values{};
+        fill(key, values);
+        return values;
+    }
+    template <std::size_t N>
+    std::array<double, N> array(std::string_view key, const std::array<double, N>& otherwise) const {
+        return has(key) ? array<N>(key) : otherwise;
+    }
+    std::array<double, 3> direction(std::string_view key) const;  // unit
+    std::vector<double> numbers(std::string_view key, const Range& range) const;
+    // Two lists of equal length, the first strictly increasing.
+    Samples samples(std::string_view argument, std::string_view value, const Range& range) const;
+
+    // Position of the text among `words`. Without `otherwise` the key is required.
+    std::size_t one_of(std::string_view key, std::span<const std::string_view> words,
+                       std::optional<std::size_t> otherwise = {}) const;
+
+    TableReader table(std::string_view key) const;
+    std::optional<TableReader> optional_table(std::string_view key) const;
+    std::vector<TableReader> tables(std::string_view key) const;  // of a list with at least one
+    // The tables of a table of tables, whatever their keys are: [tire.summer], [tire.winter].
+    std::vector<std::pair<std::string, TableReader>> named_tables(std::string_view key) const;
+
+    // A mistake unless `condition`; `expectation` is a phrase, the unit is added.
+    void expect(bool condition, std::string_view key, const std::string& expectation) const;
+    // After everything was read: keys nobody asked for, here and in all tables below, are mistakes.
+    void finish() const;
+
+private:
+    Node* find(std::string_view key) const;  // and note the key as known
+    Node& require(std::string_view key, const std::string& expectation) const;
+    ListValue& list(std::string_view key, const std::string& expectation) const;
+    void fill(std::string_view key, std::span<double> values) const;
+    double checked(const Node& value, std::string_view key, const std::string& path, const Range& range) const;
+    std::string full(std::string_view key) const;
+    static void finish_below(Node& entry, const std::string& path);
+    [[noreturn]] void reject(const Node& value, const std::string& path, const std::string& expectation) const;
+
+    Node* node_;
+    std::string path_;
+};
+
+}  // namespace hamilcar::io

@@ -1,0 +1,201 @@
+// The only file that knows toml++: text to tree, and a tree laid over its base.
+#include "hamilcar/io/toml_document.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#ifndef TOML_HEADER_ONLY
+#define TOML_HEADER_ONLY 0
+#endif
+#include <toml++/toml.h>
+
+#include "hamilcar/io/error.hpp"
+
+namespace hamilcar::io {
+
+namespace {
+
+constexpr std::size_t longest_quote = 60;  // of a value in a message [characters]
+
+std::string at(const SourceFile& file, TextPosition position) {
+    return file.path + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
+}
+
+struct Reference {
+    std::string path;
+    std::string place;  // "file:line:column: key 'base' = ...: " of the file that asks for it; empty for the first
+};
+
+std::string read_text(const Reference& from) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(from.path.c_str(), "rb"), std::fclose);
+    std::string text;
+    if (file) {
+        char block[1 << 16];
+        while (const std::size_t count = std::fread(block, 1, sizeof block, file.get())) text.append(block, count);
+        if (!std::ferror(file.get())) {
+            if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a byte order mark
+            return text;
+        }
+    }
+    throw Error(ExitCode::input_output, from.place + from.path + ": cannot read: " + std::strerror(errno));
+}
+
+TextPosition position_of(const toml::source_position& at) { return {at.line, at.column}; }
+
+Node convert(toml::node& from, const std::shared_ptr<const SourceFile>& file) {
+    Node node{.value = {}, .key = {}, .file = file, .key_begin = {}, .begin = position_of(from.source().begin),
+              .end = position_of(from.source().end)};
+    if (toml::table* table = from.as_table()) {
+        TableValue& value = node.value.emplace<TableValue>();
+        for (auto&& [key, entry] : *table) {
+            value.entries.push_back(convert(entry, file));
+            value.entries.back().key = key.str();
+            value.entries.back().key_begin = position_of(key.source().begin);
+        }
+        const auto order = [](const Node& n) { return std::pair(n.key_begin.line, n.key_begin.column); };
+        std::ranges::sort(value.entries, {}, order);
+    } else if (toml::array* array = from.as_array()) {
+        ListValue& value = node.value.emplace<ListValue>();
+        for (toml::node& item : *array) value.items.push_back(convert(item, file));
+    } else if (const auto number = from.value<double>(); number && from.is_number()) {
+        node.value = *number;
+    } else if (const auto* boolean = from.as_boolean()) {
+        node.value = boolean->get();
+    } else if (auto* text = from.as_string()) {
+        node.value = std::move(text->get());
+    }
+    return node;
+}
+
+Node parse(const Reference& from, int generation) {
+    const auto file = std::make_shared<const SourceFile>(SourceFile{from.path, read_text(from), generation});
+    try {
+        toml::table root = toml::parse(std::string_view(file->text));
+        return convert(root, file);
+    } catch (const toml::parse_error& error) {
+        fail_at(*file, position_of(error.source().begin), "not valid TOML: " + std::string(error.description()));
+    }
+}
+
+// The `name` of an entry in a list of tables; null if it has none.
+const std::string* name_of(Node& item) {
+    const Node* name = item.find("name");
+    return name ? std::get_if<std::string>(&name->value) : nullptr;
+}
+
+bool is_list_of_named_tables(ListValue& list) { return std::ranges::all_of(list.items, name_of); }
+
+void lay_over(Node& base, Node top);
+
+void lay_over(TableValue& base, TableValue& top) {
+    for (Node& entry : top.entries) {
+        const auto same = std::ranges::find(base.entries, entry.key, &Node::key);
+        if (same == base.entries.end()) {
+            base.entries.push_back(std::move(entry));
+        } else {
+            lay_over(*same, std::move(entry));
+        }
+    }
+}
+
+void lay_over(ListValue& base, ListValue& top) {
+    for (Node& item : top.items) {
+        const std::string name = *name_of(item);
+        const auto same = std::ranges::find_if(base.items, [&](Node& other) { return *name_of(other) == name; });
+        if (same == base.items.end()) {
+            base.items.push_back(std::move(item));
+        } else {
+            lay_over(*same, std::move(item));
+        }
+    }
+}
+
+void lay_over(Node& base, Node top) {
+    if (std::holds_alternative<TableValue>(base.value) && std::holds_alternative<TableValue>(top.value)) {
+        lay_over(std::get<TableValue>(base.value), std::get<TableValue>(top.value));
+        std::swap(base.value, top.value);
+    } else if (auto *old_list = std::get_if<ListValue>(&base.value), *new_list = std::get_if<ListValue>(&top.value);
+               old_list && new_list && is_list_of_named_tables(*old_list) && is_list_of_named_tables(*new_list)) {
+        lay_over(*old_list, *new_list);
+        std::swap(base.value, top.value);
+    }
+    base = std::move(top);  // with the place of the file on top: there a missing key has to be added
+}
+
+// Takes the key `base` out of a file's table; an empty path if there is none.
+Reference take_base(Node& top) {
+    TableValue& table = std::get<TableValue>(top.value);
+    const auto base = std::ranges::find(table.entries, "base", &Node::key);
+    if (base == table.entries.end()) return {};
+    const std::string quoted = "key 'base' = " + base->written() + ": ";
+    const auto* name = std::get_if<std::string>(&base->value);
+    if (!name || name->empty()) fail_at(*base->file, base->begin, quoted + "expected the path of a file to start from");
+    const auto folder = std::filesystem::path(top.file->path).parent_path();
+    Reference reference{(folder / *name).lexically_normal().string(), at(*base->file, base->begin) + quoted};
+    table.entries.erase(base);
+    return reference;
+}
+
+// Where a position is in the text [byte].
+std::size_t offset_of(std::string_view text, TextPosition position) {
+    std::size_t at = 0;
+    for (std::size_t line = 1; line < position.line; ++line) at = text.find('\n', at) + 1;
+    for (std::size_t column = 1; column < position.column && at < text.size(); ++column) {
+        do ++at;
+        while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80);  // within a character
+    }
+    return at;
+}
+
+}  // namespace
+
+Node* Node::find(std::string_view entry) {
+    auto* table = std::get_if<TableValue>(&value);
+    if (!table) return nullptr;
+    const auto found = std::ranges::find(table->entries, entry, &Node::key);
+    return found == table->entries.end() ? nullptr : &*found;
+}
+
+std::string Node::written() const {
+    if (std::holds_alternative<TableValue>(value)) return "a table";
+    const std::size_t from = offset_of(file->text, begin), to = offset_of(file->text, end);
+    std::string quote;
+    for (const char c : std::string_view(file->text).substr(from, to - from)) {
+        const bool blank = std::isspace(static_cast<unsigned char>(c));
+        if (!blank) {
+            quote += c;
+        } else if (!quote.ends_with(' ')) {
+            quote += ' ';
+        }
+        const bool between_characters = (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+        if (quote.size() > longest_quote && between_characters) return quote.substr(0, quote.size() - 1) + "...";
+    }
+    return quote;
+}
+
+Node read_toml(const std::string& path) {
+    std::vector<Node> chain;  // the file, its base, the base's base
+    chain.push_back(parse({path, ""}, 0));
+    for (Reference base = take_base(chain[0]); !base.path.empty(); base = take_base(chain.back())) {
+        const auto same_file = [&](const Node& n) {
+            return std::filesystem::path(n.file->path).lexically_normal() == base.path;
+        };
+        if (std::ranges::any_of(chain, same_file)) {
+            throw Error(ExitCode::bad_file, base.place + "expected a file that does not lead back to this one");
+        }
+        chain.push_back(parse(base, static_cast<int>(chain.size())));
+    }
+    Node merged = std::move(chain.back());
+    for (chain.pop_back(); !chain.empty(); chain.pop_back()) lay_over(merged, std::move(chain.back()));
+    return merged;
+}
+
+void fail_at(const SourceFile& file, TextPosition position, const std::string& message) {
+    throw Error(ExitCode::bad_file, at(file, position) + message);
+}
+
+}  // namespace hamilcar::io

@@ -1,0 +1,13 @@
+// Reads a vehicle file (TOML) into a VehicleDescription; docs/files/vehicle.md lists the keys.
+#pragma once
+
+#include <string>
+
+#include "hamilcar/vehicle/description.hpp"
+
+namespace hamilcar::io {
+
+// Throws Error (bad_file or input_output) with file, line, column, key, value, expectation and unit.
+VehicleDescription read_vehicle(const std::string& path);
+
+}  // namespace hamilcar::io

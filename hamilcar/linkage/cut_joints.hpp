@@ -1,0 +1,71 @@
+// Cut joints: the loops are opened here and closed by equations Phi = 0 between a point P carried by the spoke and the
+// chassis (paper, section 3). All a cut joint states is Phi, its gradient g with respect to P's position, and the rate
+// of g; for a column (l ; e) of B the Jacobian entry is g.(l + e x P), which is the whole of A.3.
+//
+// A cut joint provides: `equations`, `name`, `tip` (P at design), `driven` (whether the rack moves its chassis end along
+// `drive_axis`), `evaluate(P, rack, phi, g)` and `gradient_rate(P_rate, rack_rate, g_rate)`.
+#pragma once
+
+#include <string_view>
+
+#include "hamilcar/math/eigen.hpp"
+
+namespace hamilcar {
+
+// A massless control arm: hinged to the chassis about an axis through `foot`, a ball at the tip.  // RS, (21), (22)
+template <class T>
+struct RevoluteSpherical {
+    static constexpr int equations = 2;
+    static constexpr bool driven = false;
+    static constexpr std::string_view name = "revolute-spherical";
+    Vec3<T> foot, axis;  // on the chassis; the foot is the axis point nearest to the tip at design
+    Vec3<T> tip;         // on the carrier, at design
+    T length;            // [m]
+
+    template <class Phi, class Gradients>
+    void evaluate(const Vec3<T>& P, const T&, Phi phi, Gradients g) const {
+        const Vec3<T> d = P - foot;
+        phi[0] = axis.dot(d);
+        phi[1] = d.squaredNorm() - length * length;
+        g.col(0) = axis;
+        g.col(1) = T(2) * d;
+    }
+    template <class Gradients>
+    void gradient_rate(const Vec3<T>& P_rate, const T&, Gradients g_rate) const {
+        g_rate.col(0).setZero();
+        g_rate.col(1) = T(2) * P_rate;
+    }
+    T opening(const Vec3<T>& P, const T&) const {
+        const Vec3<T> d = P - foot;
+        const T along = axis.dot(d), across = sqrt(d.squaredNorm()) - length;
+        return sqrt(along * along + across * across);
+    }
+};
+
+// A massless rod with two balls; its chassis end may sit on the rack.  // D, (23), (24)
+template <class T>
+struct Distance {
+    static constexpr int equations = 1;
+    static constexpr bool driven = true;
+    static constexpr std::string_view name = "distance";
+    Vec3<T> end;         // on the chassis, at rack displacement zero
+    Vec3<T> tip;         // on the carrier, at design
+    Vec3<T> drive_axis;  // of the rack, unit
+    T length;            // [m]
+
+    template <class Phi, class Gradients>
+    void evaluate(const Vec3<T>& P, const T& rack, Phi phi, Gradients g) const {
+        const Vec3<T> d = P - end - drive_axis * rack;
+        phi[0] = d.squaredNorm() - length * length;
+        g.col(0) = T(2) * d;
+    }
+    template <class Gradients>
+    void gradient_rate(const Vec3<T>& P_rate, const T& rack_rate, Gradients g_rate) const {
+        g_rate.col(0) = T(2) * (P_rate - drive_axis * rack_rate);
+    }
+    T opening(const Vec3<T>& P, const T& rack) const {
+        return abs(sqrt((P - end - drive_axis * rack).squaredNorm()) - length);
+    }
+};
+
+}  // namespace hamilcar

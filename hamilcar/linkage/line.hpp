@@ -1,0 +1,48 @@
+// A line is anything with a length that springs and dampers act along: its length, how the independent coordinates
+// change it, and what the drift x adds. A generalized force follows by virtual work: F dl/dV.
+#pragma once
+
+#include "hamilcar/math/spatial.hpp"
+
+namespace hamilcar {
+
+template <class T, int nV>
+struct Line {
+    T length;                // [m]
+    Vector<T, nV> gradient;  // dl/dV
+    T drift;                 // part of the length's rate that is there at V' = 0 [m/s]
+    T rate(const Vector<T, nV>& V_rate) const { return gradient.dot(V_rate) + drift; }
+};
+
+// A line of force along the unit vector n through the carrier's point p, all in chassis axes.
+template <class T, int nV>
+HAMILCAR_CORE Line<T, nV> line_through(const T& length, const Vec3<T>& p, const Vec3<T>& n, const Matrix<T, 6, nV>& J,
+                         const Spatial<T>& x) {
+    const Spatial<T> pull = force_at<T>(p, n);
+    return {length, J.transpose() * pull, pull.dot(x)};
+}
+
+// From a point of the chassis to a point of the carrier.
+template <class T>
+struct PointLine {
+    Vec3<T> chassis_point, carrier_point;  // at design
+
+    template <class Position>
+    auto operator()(const Position& at, const T*) const {
+        const Vec3<T> p = at.pose.point(carrier_point), d = p - chassis_point;
+        const T length = sqrt(d.squaredNorm());
+        return line_through<T>(length, p, Vec3<T>(d * (T(1) / length)), at.J, at.x);
+    }
+};
+
+// Along an independent coordinate that is itself a length.
+template <class T, int coordinate>
+struct CoordinateLine {
+    template <class Position>
+    auto operator()(const Position& at, const T* V) const {
+        constexpr int nV = std::decay_t<decltype(at.J)>::ColsAtCompileTime;
+        return Line<T, nV>{V[coordinate], Vector<T, nV>::Unit(coordinate), T(0)};
+    }
+};
+
+}  // namespace hamilcar

@@ -1,0 +1,26 @@
+// The one door to Eigen: fixed-size matrices without its own vectorizer, so that a scalar and a lane do the same
+// operations in the same order and no type's layout depends on the instruction set.
+#pragma once
+
+#ifndef EIGEN_DONT_VECTORIZE
+#define EIGEN_DONT_VECTORIZE
+#endif
+#ifndef EIGEN_MPL2_ONLY
+#define EIGEN_MPL2_ONLY
+#endif
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace hamilcar {
+
+template <class T, int Rows, int Columns>
+using Matrix = Eigen::Matrix<T, Rows, Columns>;
+template <class T, int Rows>
+using Vector = Eigen::Matrix<T, Rows, 1>;
+template <class T>
+using Vec3 = Vector<T, 3>;
+template <class T>
+using Mat3 = Matrix<T, 3, 3>;
+
+}  // namespace hamilcar

@@ -1,0 +1,46 @@
+#include "hamilcar/run/record.hpp"
+
+#include <chrono>
+#include <cmath>
+
+namespace hamilcar {
+
+RunSummary record(Simulation& simulation, const std::vector<Channel>& channels, double interval, const OnRow& on_row,
+                  const KeepGoing& keep_going) {
+    const auto began = std::chrono::steady_clock::now();
+    const long every = std::max(1L, std::lround(interval / simulation.scenario().solver.step));
+    RunSummary summary;
+    std::vector<double> row(channels.size());
+    const auto write_row = [&] {
+        const Sample sample = simulation.sample();
+        for (std::size_t i = 0; i < channels.size(); ++i) row[i] = channels[i].read(sample);
+        summary.worst_opening = std::max(summary.worst_opening, sample.violation);
+        summary.largest_kinetic_energy = std::max(summary.largest_kinetic_energy, sample.energy.kinetic);
+        const double drift = std::abs(sample.energy.balance() - simulation.initial_energy_balance());
+        summary.worst_energy_drift = std::max(summary.worst_energy_drift, drift);
+        on_row(sample, row);
+    };
+    write_row();
+    bool last_written = true;
+    while (!simulation.finished()) {
+        if (auto end = simulation.advance()) {
+            summary.ended_early = end->message;
+            break;
+        }
+        last_written = simulation.steps_taken() % every == 0;
+        if (!last_written) continue;
+        write_row();
+        const double share = static_cast<double>(simulation.steps_taken()) / static_cast<double>(simulation.total_steps());
+        if (!keep_going(share)) {
+            summary.interrupted = true;
+            break;
+        }
+    }
+    if (!last_written) write_row();
+    summary.duration = simulation.time();
+    summary.steps = simulation.steps_taken();
+    summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    return summary;
+}
+
+}  // namespace hamilcar

@@ -1,0 +1,34 @@
+// Steps a simulation to its end and writes the chosen channels on the way.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hamilcar/run/channels.hpp"
+
+namespace hamilcar {
+
+struct RunSummary {
+    double duration = 0;                // simulated time reached [s]
+    long steps = 0;
+    double wall_time = 0;               // of stepping and writing [s]
+    std::optional<std::string> ended_early;  // why
+    bool interrupted = false;
+    double worst_opening = 0;           // of a cut joint, at the samples [m]
+    double worst_energy_drift = 0;      // of the energy balance, at the samples [J]
+    double largest_kinetic_energy = 0;  // what to compare the drift with [J]
+    double real_time_factor() const { return wall_time > 0 ? duration / wall_time : 0; }
+};
+
+// Called now and then with the share done; false ends the run.
+using KeepGoing = std::function<bool(double share)>;
+// Called with every sample that is recorded and the values of the channels.
+using OnRow = std::function<void(const Sample&, const std::vector<double>&)>;
+
+// `interval` between rows [s]; zero records every step. The start and the last state are always recorded.
+RunSummary record(Simulation& simulation, const std::vector<Channel>& channels, double interval, const OnRow& on_row,
+                  const KeepGoing& keep_going);
+
+}  // namespace hamilcar

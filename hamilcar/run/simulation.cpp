@@ -1,0 +1,198 @@
+#include "hamilcar/run/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "hamilcar/io/error.hpp"
+#include "hamilcar/math/convert.hpp"
+
+namespace hamilcar {
+
+namespace {
+
+// Share of the exact limit that StabilizationRule::limit takes: at the limit itself the violation would never decay.
+constexpr double limit_share = 0.7;
+// A cut equation violated this far no longer holds the car together: about 10 mm at a 0.3 m arm [m or m^2].
+constexpr double lost_assembly_violation = 5e-3;
+// A linkage whose det Phi_w has fallen to this share of its design value is about to lock.
+constexpr double locking_mobility = 1e-3;
+
+[[noreturn]] void reject(const std::string& message) { throw io::Error(io::ExitCode::bad_file, message); }
+
+const Method& require_method(const SolverDescription& solver) {
+    const Method* method = find_method(solver.integrator);
+    if (method) return *method;
+    std::string known;
+    for (const Method& m : methods) known += (known.empty() ? "" : ", ") + std::string(m.name);
+    reject(fmt::format("key 'solver.integrator' = \"{}\": expected one of {}", solver.integrator, known));
+}
+
+Model<double> make_model(const VehicleDescription& vehicle, const ScenarioDescription& scenario) {
+    return {.vehicle = Vehicle<double>(vehicle),
+            .road = PlaneRoad<double>(scenario.road.grade, scenario.road.bank, scenario.road.friction),
+            .chart = scenario.solver.chart,
+            .constraints = scenario.solver.constraints,
+            .stabilization_gain = stabilization_gain(scenario.solver)};
+}
+
+// Chassis axes along the road: z the normal, x the heading laid into the plane.
+Mat3<double> heading_on(const PlaneRoad<double>& road, double yaw) {
+    const Vec3<double> ahead(std::cos(yaw), std::sin(yaw), 0);
+    Mat3<double> R;
+    R.col(2) = road.normal;
+    R.col(1) = road.normal.cross(ahead).normalized();
+    R.col(0) = R.col(1).cross(R.col(2));
+    return R;
+}
+
+}  // namespace
+
+double stabilization_gain(const SolverDescription& solver) {
+    if (solver.constraints == ConstraintMode::exact) return 0;
+    const Method& method = require_method(solver);
+    const double limit = method.real_axis_limit / solver.step;
+    switch (solver.stabilization) {
+        case StabilizationRule::paper:
+            if (!method.paper_limit) {
+                reject(fmt::format("key 'solver.stabilization' = \"paper\": the paper's Table 3 has Adams-Bashforth methods "
+                                   "only, not {}; expected \"limit\" or stabilization_gain_per_s", method.name));
+            }
+            return *method.paper_limit / solver.step;  // (36)
+        case StabilizationRule::limit: return limit_share * limit;
+        case StabilizationRule::value: break;
+    }
+    const double gain = solver.stabilization_gain;
+    const bool fixed_step = method.family != MethodFamily::embedded_runge_kutta;
+    if (solver.check_stability && fixed_step && gain >= limit) {
+        reject(fmt::format("key 'solver.stabilization_gain_per_s' = {}: with {} at step {} s expected less than {:.6g} "
+                           "[1/s], or a step below {:.3g} [s] (the method is unstable beyond alpha h = {:.4g})",
+                           gain, method.name, solver.step, limit, method.real_axis_limit / gain,
+                           method.real_axis_limit));
+    }
+    return gain;
+}
+
+Simulation::Simulation(VehicleDescription vehicle, ScenarioDescription scenario)
+    : vehicle_(std::move(vehicle)),
+      scenario_(std::move(scenario)),
+      model_(make_model(vehicle_, scenario_)),
+      schedule_(scenario_, vehicle_.steering),
+      integrator_(require_method(scenario_.solver), scenario_.solver.step,
+                  State<double>::size(model_.vehicle.spoke_count()), scenario_.solver.tolerance),
+      total_steps_(std::lround(scenario_.duration / scenario_.solver.step)) {
+    start();
+}
+
+void Simulation::start() {
+    const InitialDescription& initial = scenario_.initial;
+    const Input<double> input = schedule_(0);
+    const Mat3<double> heading = heading_on(model_.road, initial.yaw);
+    const double x = initial.position[0], y = initial.position[1];
+    const Vec3<double>& n = model_.road.normal;
+    const Vec3<double> foot(x, y, -(n[0] * x + n[1] * y) / n[2]);
+    const Mat3<double> R = initial.settle ? heading
+                                          : Mat3<double>(heading * axis_rotation<double>(Vec3<double>::UnitY(), initial.pitch) *
+                                                         axis_rotation<double>(Vec3<double>::UnitX(), initial.roll));
+    state_ = design_state(model_, foot + n * (initial.settle ? 0 : initial.height), R);
+    RackMotion<double> rack;  // closed at the straight-ahead position first, then led to the rack's start
+    AssemblyResult assembly = assemble(model_, rack, state_);
+    constexpr int lead_in = 10;
+    for (int i = 1; i <= lead_in && assembly.assembled && input.rack.displacement != 0; ++i) {
+        rack.displacement = input.rack.displacement * i / lead_in;
+        assembly = assemble(model_, rack, state_);
+    }
+    if (!assembly.assembled) {
+        const LoopReport& loop = assembly.worst;
+        const std::string joint = cut_name(loop);
+        if (loop.mobility <= locked_mobility) {
+            throw io::Error(io::ExitCode::numerical,
+                            fmt::format("{}: the linkage is locked: its dependent coordinates cannot follow the "
+                                        "independent ones (mobility {:.1e}, expected above {:.0e}); '{}' misses by {:.3f} mm",
+                                        corner_name(loop.spoke), loop.mobility, locked_mobility, joint, 1e3 * loop.opening));
+        }
+        throw io::Error(io::ExitCode::numerical,
+                        fmt::format("{}: the hardpoints do not assemble: '{}' misses by {:.3f} mm (expected below {:.0e} mm)",
+                                    corner_name(loop.spoke), joint, 1e3 * loop.opening, 1e3 * assembly_tolerance));
+    }
+    if (initial.settle) {
+        const EquilibriumResult result = settle(model_, input, state_);
+        if (!result.found) {
+            throw io::Error(io::ExitCode::numerical,
+                            fmt::format("the car does not settle on the road: {:.3g} N or N m stay unbalanced; check "
+                                        "springs, tires and masses, or set initial.settle = false", result.residual));
+        }
+    }
+    set_velocities(model_, input, spatial<double>(vec3(initial.velocity), vec3(initial.angular_velocity)), state_);
+    const std::string problem = inspect(velocity_block(model_, state_, input).health);
+    if (!problem.empty()) throw io::Error(io::ExitCode::numerical, "at the start: " + problem);
+    initial_balance_ = sample().energy.balance();
+}
+
+std::optional<End> Simulation::advance() {
+    const State<double> last_good = state_;
+    const Health<double> health = integration_block(model_, integrator_, schedule_, time(), state_);
+    const std::string problem = inspect(health);
+    if (problem.empty()) {
+        ++step_count_;
+        return std::nullopt;
+    }
+    state_ = last_good;
+    return End{time(), fmt::format("at t = {:.6g} s: {}; the results end at t = {:.6g} s",
+                                   time() + integrator_.step(), problem, time())};
+}
+
+// What is wrong after a step, or nothing: all numbers finite, loops closed, linkages free.
+std::string Simulation::inspect(const Health<double>& health) const {
+    double sum = 0;
+    for (int i = 0; i < State<double>::size(model_.vehicle.spoke_count()); ++i) sum += 0 * state_.values[i];
+    if (sum != 0) return "the state is no longer finite; try a smaller step or a smaller stabilization gain";
+    if (!integrator_.converged()) {
+        return fmt::format("{} cannot meet the tolerance {:g} with any step", integrator_.method().name,
+                           scenario_.solver.tolerance);
+    }
+    const bool locks = !(health.mobility > locking_mobility);
+    if (!locks && health.violation < lost_assembly_violation) return {};
+    const RackMotion<double> rack = schedule_(time()).rack;
+    LoopReport worst = inspect_loops(model_, rack, state_, 0);
+    for (int i = 1; i < model_.vehicle.spoke_count(); ++i) {
+        const LoopReport loop = inspect_loops(model_, rack, state_, i);
+        if (locks ? loop.mobility < worst.mobility : loop.opening > worst.opening) worst = loop;
+    }
+    if (locks) {
+        return fmt::format("the linkage of {} locks: its wheel cannot move further this way", corner_name(worst.spoke));
+    }
+    return fmt::format("{} came apart: '{}' stands open by {:.1f} mm", corner_name(worst.spoke),
+                       cut_name(worst), 1e3 * worst.opening);
+}
+
+std::string Simulation::cut_name(const LoopReport& loop) const {
+    return std::visit(
+        [&](const auto& s) {
+            return loop.cut < 0 ? std::string("no joint") : std::string(s.cut_names[static_cast<std::size_t>(loop.cut)]);
+        },
+        model_.vehicle.spokes[static_cast<std::size_t>(loop.spoke)].suspension);
+}
+
+Sample Simulation::sample() const {
+    const Input<double> input = schedule_(time());
+    Sample s{.time = time(), .model = model_, .state = state_, .input = input,
+             .velocity = velocity_block(model_, state_, input), .momenta = {}, .energy = {}, .violation = 0,
+             .constraint_norm = 0, .mobility = 1};
+    s.momenta = momenta_block(model_, state_, input, s.velocity);
+    s.energy = energy(model_, state_, s.velocity, s.momenta);
+    for (int i = 0; i < model_.vehicle.spoke_count(); ++i) {
+        const LoopReport loop = inspect_loops(model_, input.rack, state_, i);
+        s.violation = std::max(s.violation, loop.opening);
+        s.mobility = std::min(s.mobility, loop.mobility);
+        visit_spoke(model_.vehicle, s.velocity, i, [&](const auto&, const auto&, const auto& at) {
+            if constexpr (std::decay_t<decltype(at.position.Phi)>::SizeAtCompileTime > 0) {
+                s.constraint_norm += at.position.Phi.squaredNorm();
+            }
+        });
+    }
+    s.constraint_norm = std::sqrt(s.constraint_norm);
+    return s;
+}
+
+}  // namespace hamilcar

@@ -1,0 +1,77 @@
+// One run: a vehicle and a scenario become a state that is stepped through the ring until the time is up or something
+// ends it. The mathematics never throws; what it flags becomes an `End` here, with the results so far kept by the caller.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "hamilcar/analysis/energy.hpp"
+#include "hamilcar/block/initial_process.hpp"
+#include "hamilcar/block/integration.hpp"
+#include "hamilcar/driver/schedule.hpp"
+
+namespace hamilcar {
+
+// Everything about one instant, for channels and summaries.
+struct Sample {
+    double time;
+    const Model<double>& model;
+    const State<double>& state;
+    Input<double> input;
+    Velocity<double> velocity;
+    Momenta<double> momenta;
+    Energy<double> energy;
+    double violation;          // largest opening of a cut joint [m]
+    double constraint_norm;    // Euclidean norm of all Phi, the paper's Fig. 9
+    double mobility;           // smallest over the spokes: 0 where a linkage locks
+};
+
+// Why a run ended early.
+struct End {
+    double time;          // of the last good state [s]
+    std::string message;  // for a person
+};
+
+class Simulation {
+public:
+    // Runs the Initial Process. Throws io::Error: bad_file where scenario and vehicle do not fit together (unknown
+    // integrator, gain beyond the stability limit), numerical where the car does not assemble or settle.
+    Simulation(VehicleDescription vehicle, ScenarioDescription scenario);
+
+    double time() const { return step_count_ * integrator_.step(); }
+    long steps_taken() const { return step_count_; }
+    long total_steps() const { return total_steps_; }
+    bool finished() const { return step_count_ >= total_steps_; }
+
+    // One step; the reason if the run cannot go on. The state is then the last good one.
+    std::optional<End> advance();
+
+    Sample sample() const;
+    const Model<double>& model() const { return model_; }
+    const State<double>& state() const { return state_; }
+    const Schedule& schedule() const { return schedule_; }
+    const VehicleDescription& vehicle() const { return vehicle_; }
+    const ScenarioDescription& scenario() const { return scenario_; }
+    double initial_energy_balance() const { return initial_balance_; }
+
+private:
+    void start();
+    std::string inspect(const Health<double>& health) const;
+    std::string cut_name(const LoopReport& loop) const;
+    std::string corner_name(int spoke) const { return vehicle_.corners[static_cast<std::size_t>(spoke)].name; }
+
+    VehicleDescription vehicle_;
+    ScenarioDescription scenario_;
+    Model<double> model_;
+    Schedule schedule_;
+    Integrator<State<double>> integrator_;
+    State<double> state_;
+    long step_count_ = 0, total_steps_ = 0;
+    double initial_balance_ = 0;
+};
+
+// alpha for a scenario's rule and method, and the message if it cannot be had.  // (35), (36)
+double stabilization_gain(const SolverDescription& solver);
+
+}  // namespace hamilcar

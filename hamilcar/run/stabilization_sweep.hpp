@@ -1,0 +1,23 @@
+// The paper's Fig. 9: the same run with different stabilization gains, and what becomes of the constraints.
+#pragma once
+
+#include <vector>
+
+#include "hamilcar/run/simulation.hpp"
+
+namespace hamilcar {
+
+struct SweepRun {
+    double gain;                      // alpha [1/s]
+    double rms_norm = 0;              // of |Phi| over the run, up to where it ended
+    double max_norm = 0;
+    double ended = 0;                 // time reached [s]
+    bool blew_up = false;
+    std::vector<double> time, norm;   // every `interval`
+};
+
+// Runs a scenario in stabilized mode once per gain; gains beyond the stability limit are allowed here and end early.
+std::vector<SweepRun> stabilization_sweep(const VehicleDescription& vehicle, ScenarioDescription scenario,
+                                          const std::vector<double>& gains, double interval);
+
+}  // namespace hamilcar

@@ -1,0 +1,69 @@
+// Where a wheel touches the road, and what passes between contact and tire model (docs/models/forces.md, "Tire contact").
+//
+// Everything is in chassis axes about the chassis origin; only the road's plane is brought over from the ground. The depth
+// of the disc's lowest point below the plane has the exact rate -n.v0, so the vertical spring is conservative at any camber.
+#pragma once
+
+#include <string_view>
+
+#include "hamilcar/math/spatial.hpp"
+#include "hamilcar/road/plane.hpp"
+#include "hamilcar/scalar/scalar.hpp"
+
+namespace hamilcar {
+
+// What a tire model is told.
+template <class T>
+struct TireContact {
+    T depth, depth_rate;  // of the lowest point below the road [m, m/s]
+    T v_sx, v_sy;         // slip velocities [m/s]
+    T v_x;                // rolling speed of the carrier [m/s]
+    T omega;              // absolute spin rate [rad/s]
+    T friction;           // the road's factor [1]
+    T u, v;               // contact deflections, states [m]
+};
+
+// What it answers.
+template <class T>
+struct TireForce {
+    T Fx, Fy, Fz;      // [N]
+    T elastic;         // the part of Fz that a potential gives back [N]
+    T rolling_moment;  // about the spin axis [N m]
+    T u_rate, v_rate;  // [m/s]
+};
+
+template <class T>
+struct Deflection {
+    T u, v;  // [m]
+};
+
+// Geometry of a disc on a plane.
+template <class T>
+struct ContactFrame {
+    Vec3<T> lowest;                     // P0 [m]
+    Vec3<T> point;                      // P, on the road [m]
+    Vec3<T> longitudinal, lateral, normal;
+    T depth;                            // [m]
+    T lever;                            // r: of a longitudinal force about the spin axis [m]
+};
+
+template <class T>
+HAMILCAR_CORE ContactFrame<T> contact_frame(const RoadPlane<T>& road, const Vec3<T>& center, const Vec3<T>& axis, const T& radius) {
+    const Vec3<T>& n = road.normal;
+    const T s = n.dot(axis);
+    const T c = sqrt(max(T(1) - s * s, T(1e-6)));  // a wheel lying flat keeps a direction
+    const T inverse_c = T(1) / c;
+    const Vec3<T> radial = (n - s * axis) * inverse_c;
+    ContactFrame<T> f;
+    f.normal = n;
+    f.longitudinal = axis.cross(n) * inverse_c;
+    f.lateral = n.cross(f.longitudinal);
+    f.depth = radius * c - (n.dot(center) - road.offset);
+    const Vec3<T> arm0 = radial * (-radius), arm = arm0 + n * f.depth;
+    f.lowest = center + arm0;
+    f.point = center + arm;
+    f.lever = -axis.dot(arm.cross(f.longitudinal));
+    return f;
+}
+
+}  // namespace hamilcar

@@ -1,0 +1,75 @@
+// The paper's tire, "slip and rolling": linear in slip up to a friction circle, with relaxation. Its contact deflections
+// are states, so force is a smooth function of time at every speed and a standing car stands (docs/models/forces.md).
+#pragma once
+
+#include "hamilcar/scalar/scalar.hpp"
+#include "hamilcar/tire/contact.hpp"
+#include "hamilcar/vehicle/description.hpp"
+
+namespace hamilcar {
+
+template <class T>
+struct LinearTire {
+    static constexpr std::string_view keyword = "linear";
+    // Speed at which a sliding contact returns its surplus deflection [m/s]: high enough to follow the friction limit
+    // within a hundredth of a second, low enough for an explicit 1 ms step.
+    static constexpr double return_speed = 20;
+
+    T radius, rolling_radius;  // [m]
+    T stiffness, damping;      // vertical [N/m, N s/m]
+    T slip_stiffness;          // C_kappa / Fz [1]
+    T cornering_at_zero;       // C_alpha / Fz at zero load [1]
+    T load_scale;              // 1 / load of the largest cornering stiffness [1/N]
+    T friction;
+    T curvature_x, curvature_y;  // 1 / relaxation lengths [1/m]
+    T carcass_damping;           // [s]
+    T rolling_resistance;
+
+    explicit LinearTire(const LinearTireDescription& d)
+        : radius(d.radius), rolling_radius(d.rolling_radius), stiffness(d.vertical_stiffness),
+          damping(d.vertical_damping), slip_stiffness(d.longitudinal_stiffness),
+          cornering_at_zero(2 * d.cornering_reference / d.cornering_load), load_scale(1 / d.cornering_load),
+          friction(d.friction), curvature_x(1 / d.relaxation_longitudinal), curvature_y(1 / d.relaxation_lateral),
+          carcass_damping(d.carcass_damping), rolling_resistance(d.rolling_resistance) {}
+
+    TireForce<T> force(const TireContact<T>& c) const {
+        const T elastic = stiffness * max(c.depth, T(0));
+        const T Fz = select(c.depth > T(0), max(elastic + damping * c.depth_rate, T(0)), T(0));
+        const T x = Fz * load_scale, mu = friction * c.friction;
+        const T c_y = cornering_at_zero / (T(1) + x * x);
+        const T sliding_from = mu / min(slip_stiffness, c_y);
+
+        const T k_x = c.u * curvature_x, k_y = c.v * curvature_y;
+        const T k = sqrt(k_x * k_x + k_y * k_y + T(1e-30));
+        const T transport = abs(c.v_x) + T(return_speed) * max(T(1) - sliding_from / k, T(0));
+        const T u_rate = -c.v_sx - transport * k_x;
+        const T v_rate = -c.v_sy - transport * k_y;
+
+        const T g_x = k_x + carcass_damping * curvature_x * u_rate;
+        const T g_y = k_y + carcass_damping * curvature_y * v_rate;
+        const T limit = mu / sqrt(g_x * g_x + g_y * g_y + T(1e-30));
+        const T resisting = c.omega / sqrt(c.omega * c.omega + T(1));
+        return {.Fx = Fz * g_x * min(slip_stiffness, limit),
+                .Fy = Fz * g_y * min(c_y, limit),
+                .Fz = Fz,
+                .elastic = elastic,
+                .rolling_moment = -rolling_resistance * Fz * rolling_radius * resisting,
+                .u_rate = u_rate,
+                .v_rate = v_rate};
+    }
+
+    // Energy stored by the vertical spring [J].
+    T potential(const T& depth) const {
+        const T pressed = max(depth, T(0));
+        return T(0.5) * stiffness * pressed * pressed;
+    }
+
+    // Deflections at rest that carry the given forces per load.
+    Deflection<T> holding(const T& x_per_load, const T& y_per_load, const T& Fz) const {
+        const T x = Fz * load_scale;
+        return {x_per_load / (slip_stiffness * curvature_x),
+                y_per_load * (T(1) + x * x) / (cornering_at_zero * curvature_y)};
+    }
+};
+
+}  // namespace hamilcar

@@ -1,0 +1,149 @@
+// A vehicle as a person writes it down: hardpoints, masses, rates, in the vehicle frame at the design position.
+//
+// Vehicle frame: ISO 8855 (x forward, y left, z up), origin wherever the file puts it. SI units, radians. Nothing here is
+// precomputed and nothing is templated: `assemble_vehicle` turns this into the constants of the equations, and any
+// independent program (our Simbody check is one) can build the same car from the same numbers.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace hamilcar {
+
+using Point = std::array<double, 3>;  // [m], vehicle frame, or a direction [1]
+
+// A rigid body; inertia about its own center of mass, axes parallel to the vehicle frame at design.
+struct BodyDescription {
+    double mass = 0;           // [kg]
+    Point center_of_mass{};    // [m]
+    Point inertia{};           // Ixx, Iyy, Izz [kg m^2]
+    Point products{};          // Ixy, Iyz, Ixz as matrix entries (the off-diagonal elements themselves) [kg m^2]
+};
+
+// The carrier's inertia in BodyDescription excludes the part `spin_inertia * e e^T` that turns with the wheel.
+struct WheelDescription {
+    Point center{};            // [m]
+    Point spin_axis{};         // unit, toward +y: a wheel rolling forward spins positive about it
+    double spin_inertia = 0;   // wheel, tire and disc about the spin axis [kg m^2]
+};
+
+// Strut composite joint (ST) plus a massless control arm (RS cut joint) and a tie rod (D cut joint): the paper's Fig. 3.
+struct MacPhersonDescription {
+    Point strut_top{};         // T, on the chassis
+    Point slide_point{};       // S, on the spindle; the strut slides along S -> T and its length is |T - S|
+    Point arm_front{};         // A1, control arm axis, front bush
+    Point arm_rear{};          // A2, control arm axis, rear bush
+    Point ball_joint{};        // C, on the spindle
+    Point rack_end{};          // R, tie rod inner end at rack displacement 0; ignored axis where not steered
+    Point tie_rod_outer{};     // Q, on the spindle
+    Point rack_axis{0, 1, 0};  // unit; a positive rack displacement moves R along it
+    std::optional<double> arm_length;      // |C - foot of C on the arm axis| [m]; from the hardpoints if absent
+    std::optional<double> tie_rod_length;  // |Q - R| [m]; from the hardpoints if absent
+};
+
+// One revolute joint (R): the paper's Fig. 4. Jounce is a positive arm angle.
+struct SemiTrailingArmDescription {
+    Point inner_bush{};
+    Point outer_bush{};
+    Point spring_arm{}, spring_body{};  // spring seats on arm and chassis
+    Point damper_arm{}, damper_body{};  // damper mounts on arm and chassis
+};
+
+using SuspensionDescription = std::variant<MacPhersonDescription, SemiTrailingArmDescription>;
+
+// Axial force F = force_at_design + rate (design length - length), positive in compression.
+struct SpringDescription {
+    double rate = 0;             // [N/m]
+    double force_at_design = 0;  // [N]
+};
+
+// Force against velocity of extension, piecewise linear through the points, continued with the outer slopes.
+// A linear damper is two points. Velocities increase and the curve passes through the origin.
+struct DamperDescription {
+    std::vector<double> velocity;  // [m/s], positive in rebound (extension)
+    std::vector<double> force;     // [N], positive opposes extension
+};
+
+// Stops act on wheel travel (wheel center, vehicle z, relative to design): F = rate x + progression x^2 beyond the gap.
+struct StopDescription {
+    double gap = 0;          // free travel from design [m], positive
+    double rate = 0;         // [N/m]
+    double progression = 0;  // [N/m^2]
+};
+
+// Linear tire with friction limit and relaxation (see docs/models/tire.md).
+struct LinearTireDescription {
+    double radius = 0;                  // unloaded [m]
+    double rolling_radius = 0;          // effective [m]
+    double vertical_stiffness = 0;      // [N/m]
+    double vertical_damping = 0;        // [N s/m]
+    double longitudinal_stiffness = 0;  // slip stiffness per load, C_kappa / Fz [1]
+    double cornering_reference = 0;     // peak of C_alpha over load [N/rad]
+    double cornering_load = 0;          // load at that peak [N]: C_alpha = 2 ref x / (1 + x^2), x = Fz / load
+    double friction = 0;                // [1]
+    double relaxation_longitudinal = 0; // [m]
+    double relaxation_lateral = 0;      // [m]
+    double carcass_damping = 0;         // damping time of the contact deflection [s]
+    double rolling_resistance = 0;      // [1]
+};
+
+// A frictionless vertical spring that also pulls: for ride and energy studies, not for driving.
+struct SpringTireDescription {
+    double radius = 0;              // [m]
+    double rolling_radius = 0;      // [m]
+    double vertical_stiffness = 0;  // [N/m]
+};
+
+using TireDescription = std::variant<LinearTireDescription, SpringTireDescription>;
+
+struct BrakeDescription {
+    double max_torque = 0;         // at full command [N m]
+    double windup_stiffness = 0;   // of caliper and mounting, seen by a locked wheel [N m/rad]
+    double windup_damping = 0;     // [N m s/rad]
+};
+
+// One wheel with everything that carries it: a spoke of the hub-and-spoke model.
+struct CornerDescription {
+    std::string name;  // "front_left": prefix of its channels
+    SuspensionDescription suspension;
+    BodyDescription carrier;
+    WheelDescription wheel;
+    SpringDescription spring;
+    DamperDescription damper;
+    StopDescription bump, rebound;
+    TireDescription tire;
+    BrakeDescription brake;
+    double drive_share = 0;  // of the drive torque at this wheel [1]; an open differential gives each side one half
+};
+
+// Couples the wheel travels of two corners: force rate * (z_left - z_right) pushes the higher wheel down.
+struct AntiRollBarDescription {
+    std::size_t left = 0, right = 0;  // indices into `corners`
+    double rate = 0;                  // [N/m]
+};
+
+struct AerodynamicsDescription {
+    double drag_area = 0;    // C_d A [m^2]
+    double air_density = 0;  // [kg/m^3]
+    Point center{};          // where the drag acts [m]
+};
+
+struct SteeringDescription {
+    double rack_per_revolution = 0;  // rack travel per turn of the steering wheel [m]
+    double rack_travel = 0;          // half travel: |rack| stays below it [m]
+};
+
+struct VehicleDescription {
+    std::string name;
+    BodyDescription chassis;
+    std::vector<CornerDescription> corners;
+    std::vector<AntiRollBarDescription> anti_roll_bars;
+    AerodynamicsDescription aerodynamics;
+    SteeringDescription steering;
+    double gravity = 9.80665;  // [m/s^2]
+};
+
+}  // namespace hamilcar

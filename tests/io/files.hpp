@@ -1,0 +1,76 @@
+// Files for the tests of this room: the repository's own, and changed copies in a folder that goes away.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "hamilcar/io/error.hpp"
+
+namespace hamilcar::io {
+
+inline std::string repository_path(const std::string& path) { return std::string(HAMILCAR_SOURCE_DIR) + "/" + path; }
+
+inline std::string read_file(const std::string& path) {
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+}
+
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "hamilcar-XXXXXX").string();
+        path_ = mkdtemp(pattern.data());
+    }
+    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    std::string operator/(const std::string& name) const { return path_ + "/" + name; }
+    std::string write(const std::string& name, const std::string& text) const {
+        std::ofstream(*this / name) << text;
+        return *this / name;
+    }
+
+private:
+    std::string path_;
+};
+
+// The text with one occurrence changed; the test's own mistake if there is none.
+inline std::string changed(std::string text, const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << "not in the file: " << from;
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+// "line:column" of the first occurrence.
+inline std::string position_in(const std::string& text, const std::string& what) {
+    const auto at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << "not in the file: " << what;
+    const auto line_begin = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    return std::to_string(line) + ":" + std::to_string(at - line_begin + 1);
+}
+
+// The action ends with one Error of that code whose one-line message contains all these pieces.
+inline void expect_error(const std::function<void()>& action, ExitCode code, const std::vector<std::string>& pieces) {
+    try {
+        action();
+        ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+        const std::string message = error.what();
+        EXPECT_EQ(error.code(), code) << message;
+        for (const std::string& piece : pieces) EXPECT_THAT(message, testing::HasSubstr(piece));
+        EXPECT_THAT(message, testing::Not(testing::HasSubstr("\n")));
+    }
+}
+
+}  // namespace hamilcar::io

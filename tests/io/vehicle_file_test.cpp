@@ -1,0 +1,310 @@
+// The shipped car reads to the numbers of its data sheet, and every mistake a person can make in a vehicle file is told
+// with file, line, column, key, value, expectation and unit.
+#include "hamilcar/io/vehicle_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "files.hpp"
+
+namespace hamilcar::io {
+namespace {
+
+using testing::DoubleNear;
+using testing::ElementsAre;
+using testing::Pointwise;
+
+const std::string& car_text() {
+    static const std::string text = read_file(repository_path("vehicles/bmw_323i.toml"));
+    return text;
+}
+
+VehicleDescription shipped_car() { return read_vehicle(repository_path("vehicles/bmw_323i.toml")); }
+
+void expect_point(const Point& actual, const Point& expected, double tolerance = 0) {
+    EXPECT_THAT(actual, Pointwise(DoubleNear(tolerance), expected));
+}
+
+TEST(ShippedCar, HubIsThatOfTheDataSheet) {
+    const VehicleDescription car = shipped_car();
+    EXPECT_EQ(car.name, "BMW 323i (E30)");
+    EXPECT_EQ(car.chassis.mass, 1002.0);
+    expect_point(car.chassis.center_of_mass, {-1.1524, 0, 0.6137});
+    expect_point(car.chassis.inertia, {215.1, 1624.6, 1573.9});
+    expect_point(car.chassis.products, {0, 0, 0});
+    EXPECT_NEAR(car.aerodynamics.drag_area, 0.703, 1e-12);
+    EXPECT_EQ(car.aerodynamics.air_density, 1.2);
+    EXPECT_EQ(car.steering.rack_per_revolution, 0.0365);
+    EXPECT_EQ(car.steering.rack_travel, 0.073);
+    EXPECT_EQ(car.gravity, 9.80665);
+    double mass = car.chassis.mass, driven = 0;
+    for (const auto& corner : car.corners) mass += corner.carrier.mass, driven += corner.drive_share;
+    EXPECT_EQ(mass, 1150.0);
+    EXPECT_EQ(driven, 1.0);
+}
+
+TEST(ShippedCar, CornersAreInOrder) {
+    std::vector<std::string> names;
+    for (const auto& corner : shipped_car().corners) names.push_back(corner.name);
+    EXPECT_THAT(names, ElementsAre("front_left", "front_right", "rear_left", "rear_right"));
+}
+
+TEST(ShippedCar, FrontLeftIsThatOfTheDataSheet) {
+    const CornerDescription corner = shipped_car().corners[0];
+    const auto& strut = std::get<MacPhersonDescription>(corner.suspension);
+    expect_point(strut.strut_top, {-0.1051, 0.4962, 0.7950});
+    expect_point(strut.slide_point, {-0.0240, 0.6013, 0.2800});
+    expect_point(strut.arm_front, {0, 0.3180, 0.1886});
+    expect_point(strut.arm_rear, {-0.2950, 0.3350, 0.1886});
+    expect_point(strut.ball_joint, {-0.0060, 0.6525, 0.1650});
+    expect_point(strut.rack_end, {0.1069, 0.3247, 0.2132});
+    expect_point(strut.tie_rod_outer, {0.1115, 0.6969, 0.1900});
+    expect_point(strut.rack_axis, {0, 1, 0});
+    EXPECT_FALSE(strut.arm_length || strut.tie_rod_length);
+    EXPECT_EQ(corner.carrier.mass, 35.0);
+    expect_point(corner.carrier.center_of_mass, {-0.01, 0.6601, 0.31});
+    expect_point(corner.wheel.center, {0, 0.7001, 0.28});
+    expect_point(corner.wheel.spin_axis, {0.002705, 0.999924, 0.012042}, 1e-6);  // printed with six digits
+    EXPECT_EQ(corner.spring.rate, 26200.0);
+    EXPECT_EQ(corner.spring.force_at_design, 2951.0);
+    EXPECT_THAT(corner.damper.velocity, ElementsAre(-1, 1));
+    EXPECT_THAT(corner.damper.force, ElementsAre(-2093, 2093));
+    EXPECT_EQ(corner.bump.gap, 0.060);
+    EXPECT_EQ(corner.bump.progression, 1e6);
+    EXPECT_EQ(corner.rebound.rate, 100e3);
+    EXPECT_EQ(corner.brake.max_torque, 1650.0);
+    EXPECT_EQ(corner.drive_share, 0.0);
+}
+
+TEST(ShippedCar, RearLeftIsThatOfTheDataSheet) {
+    const CornerDescription corner = shipped_car().corners[2];
+    const auto& arm = std::get<SemiTrailingArmDescription>(corner.suspension);
+    expect_point(arm.inner_bush, {-2.2770, 0.1753, 0.2800});
+    expect_point(arm.outer_bush, {-2.1735, 0.5617, 0.2800});
+    expect_point(arm.spring_arm, {-2.4924, 0.480, 0.235});
+    expect_point(arm.spring_body, {-2.480, 0.480, 0.470});
+    expect_point(arm.damper_arm, {-2.640, 0.545, 0.240});
+    expect_point(arm.damper_body, {-2.600, 0.530, 0.700});
+    expect_point(corner.carrier.inertia, {0.85, 0.40, 1.05});
+    expect_point(corner.wheel.spin_axis, {0.002705, 0.999530, 0.030539}, 2e-6);
+    EXPECT_EQ(corner.spring.rate, 40700.0);
+    EXPECT_EQ(corner.drive_share, 0.5);
+}
+
+TEST(ShippedCar, TireHasThePublishedCorneringStiffness) {
+    const auto& tire = std::get<LinearTireDescription>(shipped_car().corners[0].tire);
+    const auto newton_per_degree = [&](double load) {
+        const double x = load / tire.cornering_load;
+        return 2 * tire.cornering_reference * x / (1 + x * x) * M_PI / 180;
+    };
+    EXPECT_NEAR(newton_per_degree(3059), 664, 0.5);
+    EXPECT_NEAR(newton_per_degree(2581), 579, 0.5);
+    EXPECT_EQ(tire.radius, 0.2948);
+    EXPECT_EQ(tire.rolling_radius, 0.288);
+    EXPECT_EQ(tire.relaxation_lateral, 0.30);
+}
+
+TEST(ShippedCar, AntiRollBarsCoupleTheirAxle) {
+    const auto bars = shipped_car().anti_roll_bars;
+    ASSERT_EQ(bars.size(), 2u);
+    EXPECT_EQ(bars[0].left, 0u);
+    EXPECT_EQ(bars[0].right, 1u);
+    EXPECT_EQ(bars[0].rate, 3493.0);
+    EXPECT_EQ(bars[1].left, 2u);
+    EXPECT_EQ(bars[1].right, 3u);
+    EXPECT_EQ(bars[1].rate, 1320.0);
+}
+
+TEST(MirroredCorner, IsTheLeftOneSeenInAMirror) {
+    const TemporaryFolder folder;
+    const std::string text = changed(changed(car_text(), "inertia_kg_m2 = [0.90, 0.38, 0.62]",
+                                             "inertia_kg_m2 = [0.90, 0.38, 0.62]\nproducts_kg_m2 = [0.01, 0.02, 0.03]"),
+                                     "rack_axis = [0.0, 1.0, 0.0]", "rack_axis = [0.0, 3.0, 4.0]");
+    const auto car = read_vehicle(folder.write("car.toml", text));
+    const CornerDescription &left = car.corners[0], &right = car.corners[1];
+    const auto& strut = std::get<MacPhersonDescription>(right.suspension);
+    expect_point(strut.ball_joint, {-0.0060, -0.6525, 0.1650});
+    expect_point(strut.rack_end, {0.1069, -0.3247, 0.2132});
+    expect_point(strut.rack_axis, {0, 0.6, 0.8}, 1e-15);
+    expect_point(right.carrier.center_of_mass, {-0.01, -0.6601, 0.31});
+    expect_point(right.carrier.inertia, left.carrier.inertia);
+    expect_point(right.carrier.products, {-0.01, -0.02, 0.03});
+    expect_point(right.wheel.center, {0, -0.7001, 0.28});
+    // Camber leans the other wheel the other way, toe-in turns it the other way, and both still spin about +y.
+    const Point axis = left.wheel.spin_axis;
+    expect_point(right.wheel.spin_axis, {-axis[0], axis[1], -axis[2]});
+    EXPECT_GT(right.wheel.spin_axis[1], 0);
+}
+
+TEST(VehicleFile, OtherWaysToSayTheSame) {
+    const TemporaryFolder folder;
+    std::string text = car_text();
+    text = changed(text, "camber_deg = -0.69", "spin_axis = [0.02705, 9.99924, 0.12042] # ");
+    text = changed(text, "toe_in_deg = 0.155", "#");
+    text = changed(text, "drag_coefficient = 0.38", "drag_area_m2 = 0.7");
+    text = changed(text, "frontal_area_m2 = 1.85", "#");
+    text = changed(text, "name = ", "gravity_m_per_s2 = 1.62\nname = ");
+    const auto car = read_vehicle(folder.write("car.toml", text));
+    expect_point(car.corners[0].wheel.spin_axis, {0.002705, 0.999924, 0.012042}, 1e-6);
+    EXPECT_EQ(car.aerodynamics.drag_area, 0.7);
+    EXPECT_EQ(car.gravity, 1.62);
+}
+
+TEST(VehicleFile, OptionalPartsMayBeLeftOut) {
+    const TemporaryFolder folder;
+    std::string text = car_text();
+    for (const std::string table : {"[aerodynamics]", "[steering]", "[axle.bump_stop]", "[axle.brake]", "[axle.anti_roll_bar]"}) {
+        const auto from = text.find(table), to = text.find("\n[", from + 1);
+        text.erase(from, to - from);
+    }
+    const auto car = read_vehicle(folder.write("car.toml", text));
+    EXPECT_EQ(car.aerodynamics.drag_area, 0);
+    EXPECT_EQ(car.steering.rack_travel, 0);
+    EXPECT_EQ(car.corners[0].bump.rate, 0);
+    EXPECT_EQ(car.corners[0].brake.max_torque, 0);
+    EXPECT_GT(car.corners[0].brake.windup_stiffness, 0);  // a torque is divided by it
+    EXPECT_EQ(car.anti_roll_bars.size(), 1u);
+}
+
+TEST(Base, OnlyTheOverriddenKeysDiffer) {
+    const auto base = shipped_car(), car = read_vehicle(repository_path("vehicles/bmw_323i_digressive.toml"));
+    EXPECT_EQ(car.name, "BMW 323i (E30), digressive dampers");
+    ASSERT_EQ(car.corners.size(), 4u);
+    EXPECT_EQ(car.chassis.mass, base.chassis.mass);
+    EXPECT_EQ(car.corners[3].spring.rate, base.corners[3].spring.rate);
+    EXPECT_EQ(car.corners[3].name, "rear_right");
+    const DamperDescription& front = car.corners[1].damper;
+    EXPECT_THAT(front.velocity, ElementsAre(-1, -0.15, 0, 0.15, 1));
+    EXPECT_DOUBLE_EQ(front.force[3] / front.velocity[3], 2826);
+    EXPECT_DOUBLE_EQ(front.force[1] / front.velocity[1], 1360);
+    EXPECT_NEAR((front.force[4] - front.force[3]) / 0.85, 2826 / 2., 1e-9);
+    const DamperDescription& rear = car.corners[2].damper;
+    EXPECT_DOUBLE_EQ(rear.force[3] / rear.velocity[3], 2007);
+    EXPECT_DOUBLE_EQ(rear.force[1] / rear.velocity[1], 967);
+    EXPECT_NEAR((rear.force[1] - rear.force[0]) / 0.85, 967 / 2., 1e-9);
+}
+
+TEST(Base, MistakesAreReportedInTheFileThatHoldsThem) {
+    const TemporaryFolder folder;
+    folder.write("base.toml", changed(car_text(), "mass_kg = 1002.0", "mass_kg = -1"));
+    const auto top = folder.write("top.toml", "base = 'base.toml'\n[[axle]]\nname = 'rear'\nspring.rate_N_per_m = 'soft'\n");
+    expect_error([&] { read_vehicle(top); }, ExitCode::bad_file, {folder / "base.toml:", "chassis.mass_kg' = -1"});
+    folder.write("base.toml", car_text());
+    expect_error([&] { read_vehicle(top); }, ExitCode::bad_file,
+                 {folder / "top.toml:4:23: ", "'axle[rear].spring.rate_N_per_m' = 'soft'", "positive number [N/m]"});
+}
+
+TEST(Base, MustExistAndNotLeadBack) {
+    const TemporaryFolder folder;
+    const auto missing = folder.write("a.toml", "base = 'nonesuch.toml'");
+    expect_error([&] { read_vehicle(missing); }, ExitCode::input_output,
+                 {missing + ":1:8: key 'base' = 'nonesuch.toml'", folder / "nonesuch.toml", "No such file or directory"});
+    const auto circle = folder.write("b.toml", "base = 'c.toml'");
+    folder.write("c.toml", "\nbase = './b.toml'");
+    expect_error([&] { read_vehicle(circle); }, ExitCode::bad_file, {folder / "c.toml:2:8: ", "'./b.toml'", "lead back"});
+}
+
+struct BadInput {
+    std::string name, from, to;
+    std::string at;                   // the text whose position the message names
+    std::vector<std::string> pieces;  // of the message
+};
+
+class BadVehicleFile : public testing::TestWithParam<BadInput> {};
+
+TEST_P(BadVehicleFile, IsToldWithPlaceKeyValueAndExpectation) {
+    const BadInput& bad = GetParam();
+    const TemporaryFolder folder;
+    const std::string text = changed(car_text(), bad.from, bad.to);
+    const std::string path = folder.write("car.toml", text);
+    std::vector<std::string> pieces = bad.pieces;
+    pieces.push_back(path + ":" + position_in(text, bad.at) + ": ");
+    expect_error([&] { read_vehicle(path); }, ExitCode::bad_file, pieces);
+}
+
+const std::vector<BadInput> bad_vehicles{
+    {"NegativeMass", "mass_kg = 1002.0", "mass_kg = -3", "-3 ",
+     {"key 'chassis.mass_kg' = -3: expected a positive number [kg]"}},
+    {"WrongType", "mass_kg = 1002.0", "mass_kg = 'heavy'", "'heavy'",
+     {"key 'chassis.mass_kg' = 'heavy': expected a positive number [kg]"}},
+    {"Date", "mass_kg = 1002.0", "mass_kg = 1979-05-27", "1979-05-27", {"chassis.mass_kg' = 1979-05-27", "[kg]"}},
+    {"NotANumber", "mass_kg = 1002.0", "mass_kg = nan", "nan", {"' = nan: expected a finite positive number [kg]"}},
+    {"Infinite", "rate_N_per_m = 26200.0", "rate_N_per_m = +inf", "+inf",
+     {"'axle[front].spring.rate_N_per_m' = +inf", "finite positive number [N/m]"}},
+    {"MissingKey", "mass_kg = 1002.0", "", "[chassis]",
+     {"key 'chassis.mass_kg' is missing: expected a positive number [kg]"}},
+    {"MissingTable", "[axle.spring]", "[axle.wheels]", "[[axle]]", {"key 'axle[front].spring' is missing", "a table"}},
+    {"MisspelledRequiredKey", "mass_kg = 1002.0", "mas_kg = 1002", "mas_kg",
+     {"key 'chassis.mas_kg' = 1002 is unknown: did you mean 'mass_kg'", "[kg]"}},
+    {"ForgottenUnit", "mass_kg = 1002.0", "mass = 1002", "mass = 1002", {"'chassis.mass' = 1002", "mean 'mass_kg'"}},
+    {"MisspelledOptionalTable", "[axle.bump_stop]", "[axle.bum_stop]", "bum_stop",
+     {"key 'axle[front].bum_stop'", "did you mean 'bump_stop'?"}},
+    {"UnknownKey", "[chassis]", "color = 'red'\n[chassis]", "color",
+     {"key 'color' = 'red' is unknown: expected", "'chassis'", "'aerodynamics'"}},
+    {"UnknownKeyOfATire", "friction = 1.0", "friction = 1.0\ngrip = 2", "grip", {"key 'tire.road.grip' = 2 is unknown"}},
+    {"TomlSyntax", "mass_kg = 1002.0", "mass_kg = = 2", "= 2", {"not valid TOML", "expected value, saw '='"}},
+    {"TwoNumbersForAPoint", "center_of_mass_m = [-1.1524, 0.0, 0.6137]", "center_of_mass_m = [-1.1524, 0.6137]",
+     "[-1.1524, 0.6137]", {"'chassis.center_of_mass_m' = [-1.1524, 0.6137]: expected 3 numbers [m]"}},
+    {"NotANumberInAPoint", "center_of_mass_m = [-1.1524, 0.0,", "center_of_mass_m = [-1.1524, nan,", "nan,",
+     {"'chassis.center_of_mass_m[1]' = nan", "finite number [m]"}},
+    {"NoBodyHasThisInertia", "1624.6", "1900", "[215.1, 1900",
+     {"chassis.inertia_kg_m2' = [215.1, 1900, 1573.9]", "sum of the other two", "[kg m^2]"}},
+    {"NegativeMoment", "1624.6", "-1624.6", "[215.1, -1624.6", {"no principal moment below zero", "[kg m^2]"}},
+    {"ProductsTooLarge", "products_kg_m2 = [0.0, 0.0, 0.0]", "products_kg_m2 = [0.0, 0.0, 700.0]", "[215.1",
+     {"chassis.inertia_kg_m2'", "no principal moment below zero", "[kg m^2]"}},
+    {"CarrierWithItsWheel", "[0.90, 0.38, 0.62]", "[0.90, 0.80, 0.62]", "[0.90, 0.80, 0.62]",
+     {"axle[front].carrier.inertia_kg_m2'", "sum of the other two"}},
+    {"UnknownSuspension", "\"macpherson\"", "\"mcpherson\"", "\"mcpherson\"",
+     {"'axle[front].suspension' = \"mcpherson\"", "one of 'macpherson' or 'semi_trailing_arm'", "mean 'macpherson'?"}},
+    {"UnknownTireModel", "model = \"linear\"", "model = \"lineal\"", "\"lineal\"",
+     {"'tire.road.model' = \"lineal\"", "one of 'linear' or 'spring'", "did you mean 'linear'?"}},
+    {"UnknownTire", "tire = \"road\"", "tire = \"raod\"", "\"raod\"", {"'axle[front].tire' = \"raod\"", "'road'"}},
+    {"ZeroDirection", "rack_axis = [0.0, 1.0, 0.0]", "rack_axis = [0, 0, 0]", "[0, 0, 0]",
+     {"'axle[front].hardpoints.rack_axis' = [0, 0, 0]", "direction"}},
+    {"PointsCoincide", "slide_point_m = [-0.0240, 0.6013, 0.2800]", "slide_point_m = [-0.1051, 0.4962, 0.7950]",
+     "[-0.1051, 0.4962, 0.7950]     # [E]", {"hardpoints.slide_point_m'", "apart from 'strut_top_m'", "[m]"}},
+    {"RightSideGiven", "center_m = [0.0000, 0.7001", "center_m = [0.0000, -0.7001", "[0.0000, -0.7001",
+     {"axle[front].wheel.center_m'", "left side", "[m]"}},
+    {"TwoWaysAtOnce", "drag_coefficient = 0.38", "drag_coefficient = 0.38\ndrag_area_m2 = 0.7", "0.38",
+     {"'aerodynamics.drag_coefficient' = 0.38", "either this or 'drag_area_m2', not both"}},
+    {"TwoAxlesOfOneName", "name = \"rear\"", "name = \"front\"", "\"front\"\nsuspension = \"semi",
+     {"'axle[front].name' = \"front\"", "no other axle has"}},
+    {"DriveSharesDoNotAddUp", "drive_share = 1.0", "drive_share = 0.6", "0.6 ",
+     {"'axle[rear].drive_share' = 0.6", "add up to 1", "here 0.6"}},
+    {"DriveShareAboveOne", "drive_share = 1.0", "drive_share = 1.5", "1.5 ", {"expected a number from 0 to 1"}},
+    {"DamperNotIncreasing", "damping_N_s_per_m = 2093.0", "velocity_m_per_s = [-1, 0, 0]\nforce_N = [-1, 0, 1]", "0]\nforce",
+     {"'axle[front].damper.velocity_m_per_s[2]' = 0", "above the one before, 0 [m/s]"}},
+    {"DamperLengths", "damping_N_s_per_m = 2093.0", "velocity_m_per_s = [-1, 0, 1]\nforce_N = [-1, 1]", "[-1, 1]",
+     {"damper.force_N' = [-1, 1]: expected 3 numbers, one for each of 'velocity_m_per_s' [N]"}},
+    {"DamperMissesOrigin", "damping_N_s_per_m = 2093.0", "velocity_m_per_s = [-1, 1]\nforce_N = [-1, 2]", "[-1, 2]",
+     {"damper.force_N' = [-1, 2]: expected a curve through the origin", "[N]"}},
+    {"DamperDrives", "damping_N_s_per_m = 2093.0", "velocity_m_per_s = [-1, 0, 1]\nforce_N = [1, 0, 2]", "[1, 0, 2]",
+     {"damper.force_N' = [1, 0, 2]", "the sign of their velocity"}},
+};
+
+INSTANTIATE_TEST_SUITE_P(EveryMistake, BadVehicleFile, testing::ValuesIn(bad_vehicles),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(VehicleFile, UnreadablePathsAreInputOutputErrors) {
+    const TemporaryFolder folder;
+    expect_error([&] { read_vehicle(folder / "nonesuch.toml"); }, ExitCode::input_output,
+                 {folder / "nonesuch.toml: cannot read: No such file or directory"});
+    expect_error([&] { read_vehicle(folder / ""); }, ExitCode::input_output, {"cannot read: Is a directory"});
+}
+
+TEST(VehicleFile, AnEmptyFileMissesItsFirstKey) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("empty.toml", "");
+    expect_error([&] { read_vehicle(path); }, ExitCode::bad_file, {path + ":1:1: key 'chassis' is missing"});
+}
+
+TEST(VehicleFile, ColumnsCountCharacters) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("car.toml", "chassis = { \"µµ\" = 'ü', mass_kg = -1 }\n");
+    expect_error([&] { read_vehicle(path); }, ExitCode::bad_file, {path + ":1:35: key 'chassis.mass_kg' = -1: "});
+}
+
+}  // namespace
+}  // namespace hamilcar::io

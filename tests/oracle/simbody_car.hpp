@@ -1,0 +1,81 @@
+// The same car in another engine: Simbody integrates the description with absolute coordinates and multipliers.
+//
+// Nothing of hamilcar but the plain description is used here; the forces come from the page docs/models/forces.md.
+// Paths that agree with these agree with an independent derivation, an independent solver and a second reading of the
+// page.
+#pragma once
+
+#include "hamilcar/vehicle/description.hpp"
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace hamilcar::oracle {
+
+// What the driver imposes at one instant. The three rack values are one motion and its time derivatives.
+struct Inputs {
+    double rack = 0;               // displacement along each corner's rack axis [m]
+    double rack_rate = 0;          // [m/s]
+    double rack_acceleration = 0;  // [m/s^2]
+    double drive_torque = 0;       // at the differential's output, before the shares [N m]
+    double brake = 0;              // command, 0 to 1
+};
+
+struct Corner {
+    double independent = 0;       // strut length |T - S| [m], or arm angle from design, jounce positive [rad]
+    double independent_rate = 0;  // [m/s] or [rad/s]
+    double spin = 0;              // wheel relative to carrier [rad/s]
+    double u = 0, v = 0;          // contact deflections, along and across [m]
+    double b = 0;                 // brake wind-up [rad]
+};
+
+struct CarState {
+    std::array<double, 3> position{};                           // vehicle frame's origin, ground axes [m]
+    std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};  // row-major, vehicle axes to ground
+    std::array<double, 3> velocity{};                           // of that origin, ground axes [m/s]
+    std::array<double, 3> angular_velocity{};                   // of the chassis, ground axes [rad/s]
+    std::vector<Corner> corners;                                // as in the description
+};
+
+// The plane z = grade x + bank y.
+struct Road {
+    double grade = 0, bank = 0;
+    double friction = 1;  // factor on the tires' own
+};
+
+class SimbodyCar {
+public:
+    SimbodyCar(const VehicleDescription& description, const Road& road);
+    ~SimbodyCar();
+
+    // For the calls that are not given any; zero until told. `advance` and `evaluate_accelerations_once` leave
+    // their last inputs here.
+    void set_inputs(const Inputs& inputs);
+
+    // Finds the spindles' poses and velocities that belong to the strut lengths, their rates and the current rack
+    // input. Throws std::runtime_error where the linkage does not reach, std::out_of_range if a corner is missing.
+    void set_state(const CarState& state);
+
+    CarState state() const;
+
+    // Kinetic, and the potentials of gravity, springs, bars, stops and vertical tire stiffness [J].
+    double energy() const;
+
+    // Classical Runge-Kutta of order four with a fixed step; coordinates and speeds are projected on the constraints
+    // after each step. `inputs` is called with t0, t0 + h/2, t0 + h, ...
+    void advance(double t0, double h, int steps, const std::function<Inputs(double)>& inputs);
+
+    // One full evaluation of the equations of motion at the current state; the norm of the accelerations.
+    double evaluate_accelerations_once(const Inputs& inputs);
+
+    // Largest residual of the constraints and of their time derivatives [m, m^2, m/s, m^2/s].
+    double worst_constraint_error() const;
+
+private:
+    struct Engine;
+    std::unique_ptr<Engine> engine_;
+};
+
+}  // namespace hamilcar::oracle

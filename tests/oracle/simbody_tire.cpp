@@ -1,0 +1,122 @@
+// The tire of docs/models/forces.md, from the contact with a plane to the load on the wheel.
+
+#include "tests/oracle/simbody_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hamilcar::oracle {
+
+using SimTK::State;
+using SimTK::UnitVec3;
+using SimTK::Vec3;
+
+namespace {
+
+constexpr double sliding_transport = 20;  // w_s [m/s]
+
+struct Contact {
+    Vec3 lowest, point;  // P0 and P
+    Vec3 normal, longitudinal, lateral, spin_axis;
+    double depth;
+    double lever;  // r, of a longitudinal force about the spin axis
+};
+
+Contact find_contact(const Parts& parts, const State& state, std::size_t i) {
+    const double radius =
+        std::visit([](const auto& tire) { return tire.radius; }, parts.description.corners[i].tire);
+    const Vec3 center = parts.corners[i].carrier.getBodyOriginLocation(state);
+    Contact result;
+    result.normal = Vec3(UnitVec3(-parts.road.grade, -parts.road.bank, 1));
+    result.spin_axis = parts.spin_axis(state, i);
+    const double s = ~result.normal * result.spin_axis;
+    const double c = std::sqrt(std::max(1 - s * s, 1e-6));
+    const Vec3 radial = (result.normal - s * result.spin_axis) / c;
+    result.depth = radius * c - ~result.normal * center;
+    result.lowest = center - radius * radial;
+    result.point = result.lowest + result.depth * result.normal;
+    result.longitudinal = Vec3(UnitVec3(result.spin_axis % result.normal));
+    result.lateral = result.normal % result.longitudinal;
+    result.lever = -(~result.spin_axis * ((result.point - center) % result.longitudinal));
+    return result;
+}
+
+double vertical_load(const Parts& parts, const State& state, std::size_t i, const Contact& at) {
+    const TireDescription& description = parts.description.corners[i].tire;
+    if (const auto* spring = std::get_if<SpringTireDescription>(&description))
+        return spring->vertical_stiffness * at.depth;
+    const auto& tire = std::get<LinearTireDescription>(description);
+    if (at.depth <= 0) return 0;
+    const double closing = -(~at.normal * velocity_at(parts.corners[i].carrier, state, at.lowest));
+    return std::max(0.0, tire.vertical_stiffness * at.depth + tire.vertical_damping * closing);
+}
+
+struct Slip {
+    double longitudinal, lateral, travel;  // v_sx, v_sy, v_x [m/s]
+};
+
+struct Tangential {
+    double longitudinal = 0, lateral = 0;  // [N]
+    Deflection rate;                       // [m/s]
+};
+
+Tangential tangential(const LinearTireDescription& tire, double road_friction, double load, const Slip& slip,
+                      const Deflection& deflection) {
+    const double x = load / tire.cornering_load;
+    const double cx = tire.longitudinal_stiffness;
+    const double cy = 2 * (tire.cornering_reference / tire.cornering_load) / (1 + x * x);
+    const double mu = tire.friction * road_friction;
+    const double onset = mu / std::min(cx, cy);
+    const double kx = deflection.u / tire.relaxation_longitudinal, ky = deflection.v / tire.relaxation_lateral;
+    const double k = std::hypot(kx, ky);
+    const double sliding = k > 0 ? sliding_transport * std::max(0.0, 1 - onset / k) : 0;
+    const double transport = std::abs(slip.travel) + sliding;
+
+    Tangential result;
+    result.rate = {-slip.longitudinal - transport * kx, -slip.lateral - transport * ky};
+    const double gx = kx + tire.carcass_damping * result.rate.u / tire.relaxation_longitudinal;
+    const double gy = ky + tire.carcass_damping * result.rate.v / tire.relaxation_lateral;
+    const double g = std::hypot(gx, gy);
+    if (g > 0) {
+        result.longitudinal = load * gx * std::min(cx, mu / g);
+        result.lateral = load * gy * std::min(cy, mu / g);
+    }
+    return result;
+}
+
+}  // namespace
+
+// Normal and lateral force have no moment about the spin axis, so all of the load may go to the wheel's body.
+Deflection add_tire(const Parts& parts, const State& state, std::size_t i, const Deflection& deflection, Loads& loads) {
+    const SimTK::MobilizedBody& carrier = parts.corners[i].carrier;
+    const SimTK::MobilizedBody& wheel = parts.corners[i].wheel;
+    const Contact at = find_contact(parts, state, i);
+    const double load = vertical_load(parts, state, i, at);
+    push(wheel, state, at.point, load * at.normal, loads);
+    const auto* tire = std::get_if<LinearTireDescription>(&parts.description.corners[i].tire);
+    if (!tire) return {};
+
+    const Vec3 velocity = velocity_at(carrier, state, at.point);
+    const double carrier_spin = ~at.spin_axis * carrier.getBodyAngularVelocity(state);
+    const double spin = carrier_spin + wheel.getOneU(state, 0);  // Omega
+    Slip slip;
+    slip.travel = ~at.longitudinal * velocity;
+    slip.longitudinal = slip.travel + at.lever * carrier_spin - tire->rolling_radius * spin;
+    slip.lateral = ~at.lateral * velocity;
+    const Tangential force = tangential(*tire, parts.road.friction, load, slip, deflection);
+
+    push(wheel, state, at.point, force.longitudinal * at.longitudinal + force.lateral * at.lateral, loads);
+    const double transfer = -(tire->rolling_radius - at.lever) * force.longitudinal;
+    const double rolling = -tire->rolling_resistance * load * tire->rolling_radius * spin / std::hypot(spin, 1.0);
+    twist(wheel, (transfer + rolling) * at.spin_axis, loads);
+    return force.rate;
+}
+
+double tire_energy(const Parts& parts, const State& state, std::size_t i) {
+    const double depth = find_contact(parts, state, i).depth;
+    const TireDescription& description = parts.description.corners[i].tire;
+    if (std::holds_alternative<LinearTireDescription>(description) && depth <= 0) return 0;
+    return std::visit([&](const auto& tire) { return tire.vertical_stiffness * depth * depth / 2; }, description);
+}
+
+}  // namespace hamilcar::oracle

@@ -1,0 +1,52 @@
+// The shipped car and variants of it, for tests that need a whole vehicle.
+#pragma once
+
+#include "hamilcar/block/initial_process.hpp"
+#include "hamilcar/io/vehicle_file.hpp"
+#include "hamilcar/run/simulation.hpp"
+
+namespace hamilcar::test {
+
+inline std::string source_path(const std::string& relative) { return std::string(HAMILCAR_SOURCE_DIR) + "/" + relative; }
+
+inline VehicleDescription shipped_car() { return io::read_vehicle(source_path("vehicles/bmw_323i.toml")); }
+
+// The shipped car without anything that takes energy, and smooth: no dampers, no drag, tires that are bilateral
+// vertical springs. Its stops stay; a test keeps the travel inside them.
+inline VehicleDescription conservative_car() {
+    VehicleDescription car = shipped_car();
+    for (CornerDescription& corner : car.corners) {
+        corner.damper = {{-1, 1}, {0, 0}};
+        const auto& tire = std::get<LinearTireDescription>(corner.tire);
+        corner.tire = SpringTireDescription{tire.radius, tire.rolling_radius, tire.vertical_stiffness};
+    }
+    car.aerodynamics.drag_area = 0;
+    return car;
+}
+
+inline Model<double> make_model(const VehicleDescription& car) {
+    return {.vehicle = Vehicle<double>(car), .road = PlaneRoad<double>(0, 0, 1)};
+}
+
+inline Energy<double> energy_of(const Model<double>& model, const State<double>& state, const Input<double>& input) {
+    const auto velocity = velocity_block(model, state, input);
+    return energy(model, state, velocity, momenta_block(model, state, input, velocity));
+}
+
+// A scenario that starts from a given forward speed on the flat, with the inputs left to the caller.
+inline ScenarioDescription scenario(double duration, double forward_speed = 0) {
+    ScenarioDescription s;
+    s.name = "test";
+    s.duration = duration;
+    s.initial.velocity = {forward_speed, 0, 0};
+    return s;
+}
+
+inline SignalDescription table(std::vector<double> time, std::vector<double> value) {
+    return {std::move(time), std::move(value), Interpolation::smooth};
+}
+
+// Runs to the end; fails the test with the reason if the run ends early.
+void run_to_end(Simulation& simulation);
+
+}  // namespace hamilcar::test
