@@ -9,6 +9,7 @@
 #include <cassert>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <utility>
 
 #include "hamilcar/io/error.hpp"
@@ -26,6 +27,10 @@ constexpr int closed = -1;
 class NetcdfWriter final : public ResultWriter {
 public:
     NetcdfWriter(const std::string& path, const std::vector<Column>& columns, const std::string& title) : path_(path) {
+        // The library deletes what it could not create, a device node too.
+        if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path)) {
+            throw Error(ExitCode::input_output, path_ + ": cannot open for writing: not a regular file");
+        }
         std::size_t buffer = file_buffer;
         check(nc__create(path.c_str(), NC_CLOBBER | NC_64BIT_OFFSET, 0, &buffer, &file_), "open for writing");
         try {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -71,6 +72,21 @@ inline void expect_error(const std::function<void()>& action, ExitCode code, con
         for (const std::string& piece : pieces) EXPECT_THAT(message, testing::HasSubstr(piece));
         EXPECT_THAT(message, testing::Not(testing::HasSubstr("\n")));
     }
+}
+
+// One mistake in an otherwise right file.
+struct BadInput {
+    std::string name, from, to;       // what is changed
+    std::string at;                   // the text whose position the message names
+    std::vector<std::string> pieces;  // of the message
+};
+
+inline void expect_refused(const std::string& good, const BadInput& bad, const std::function<void(std::string)>& read) {
+    const TemporaryFolder folder;
+    const std::string text = changed(good, bad.from, bad.to), path = folder.write("changed.toml", text);
+    std::vector<std::string> pieces = bad.pieces;
+    pieces.push_back(path + ":" + position_in(text, bad.at) + ": ");
+    expect_error([&] { read(path); }, ExitCode::bad_file, pieces);
 }
 
 }  // namespace hamilcar::io

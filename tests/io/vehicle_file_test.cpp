@@ -94,7 +94,7 @@ TEST(ShippedCar, RearLeftIsThatOfTheDataSheet) {
 }
 
 TEST(ShippedCar, TireHasThePublishedCorneringStiffness) {
-    const auto& tire = std::get<LinearTireDescription>(shipped_car().corners[0].tire);
+    const auto tire = std::get<LinearTireDescription>(shipped_car().corners[0].tire);
     const auto newton_per_degree = [&](double load) {
         const double x = load / tire.cornering_load;
         return 2 * tire.cornering_reference * x / (1 + x * x) * M_PI / 180;
@@ -155,7 +155,8 @@ TEST(VehicleFile, OtherWaysToSayTheSame) {
 TEST(VehicleFile, OptionalPartsMayBeLeftOut) {
     const TemporaryFolder folder;
     std::string text = car_text();
-    for (const std::string table : {"[aerodynamics]", "[steering]", "[axle.bump_stop]", "[axle.brake]", "[axle.anti_roll_bar]"}) {
+    for (const std::string table :
+         {"[aerodynamics]", "[steering]", "[axle.bump_stop]", "[axle.brake]", "[axle.anti_roll_bar]"}) {
         const auto from = text.find(table), to = text.find("\n[", from + 1);
         text.erase(from, to - from);
     }
@@ -189,7 +190,8 @@ TEST(Base, OnlyTheOverriddenKeysDiffer) {
 TEST(Base, MistakesAreReportedInTheFileThatHoldsThem) {
     const TemporaryFolder folder;
     folder.write("base.toml", changed(car_text(), "mass_kg = 1002.0", "mass_kg = -1"));
-    const auto top = folder.write("top.toml", "base = 'base.toml'\n[[axle]]\nname = 'rear'\nspring.rate_N_per_m = 'soft'\n");
+    const auto top = folder.write("top.toml",
+                                  "base = 'base.toml'\n[[axle]]\nname = 'rear'\nspring.rate_N_per_m = 'soft'\n");
     expect_error([&] { read_vehicle(top); }, ExitCode::bad_file, {folder / "base.toml:", "chassis.mass_kg' = -1"});
     folder.write("base.toml", car_text());
     expect_error([&] { read_vehicle(top); }, ExitCode::bad_file,
@@ -200,28 +202,17 @@ TEST(Base, MustExistAndNotLeadBack) {
     const TemporaryFolder folder;
     const auto missing = folder.write("a.toml", "base = 'nonesuch.toml'");
     expect_error([&] { read_vehicle(missing); }, ExitCode::input_output,
-                 {missing + ":1:8: key 'base' = 'nonesuch.toml'", folder / "nonesuch.toml", "No such file or directory"});
+                 {missing + ":1:8: key 'base' = 'nonesuch.toml'", folder / "nonesuch.toml", "No such file"});
     const auto circle = folder.write("b.toml", "base = 'c.toml'");
     folder.write("c.toml", "\nbase = './b.toml'");
-    expect_error([&] { read_vehicle(circle); }, ExitCode::bad_file, {folder / "c.toml:2:8: ", "'./b.toml'", "lead back"});
+    expect_error([&] { read_vehicle(circle); }, ExitCode::bad_file,
+                 {folder / "c.toml:2:8: ", "'./b.toml'", "does not lead back"});
 }
-
-struct BadInput {
-    std::string name, from, to;
-    std::string at;                   // the text whose position the message names
-    std::vector<std::string> pieces;  // of the message
-};
 
 class BadVehicleFile : public testing::TestWithParam<BadInput> {};
 
 TEST_P(BadVehicleFile, IsToldWithPlaceKeyValueAndExpectation) {
-    const BadInput& bad = GetParam();
-    const TemporaryFolder folder;
-    const std::string text = changed(car_text(), bad.from, bad.to);
-    const std::string path = folder.write("car.toml", text);
-    std::vector<std::string> pieces = bad.pieces;
-    pieces.push_back(path + ":" + position_in(text, bad.at) + ": ");
-    expect_error([&] { read_vehicle(path); }, ExitCode::bad_file, pieces);
+    expect_refused(car_text(), GetParam(), [](const std::string& path) { read_vehicle(path); });
 }
 
 const std::vector<BadInput> bad_vehicles{
@@ -243,8 +234,9 @@ const std::vector<BadInput> bad_vehicles{
      {"key 'axle[front].bum_stop'", "did you mean 'bump_stop'?"}},
     {"UnknownKey", "[chassis]", "color = 'red'\n[chassis]", "color",
      {"key 'color' = 'red' is unknown: expected", "'chassis'", "'aerodynamics'"}},
-    {"UnknownKeyOfATire", "friction = 1.0", "friction = 1.0\ngrip = 2", "grip", {"key 'tire.road.grip' = 2 is unknown"}},
-    {"TomlSyntax", "mass_kg = 1002.0", "mass_kg = = 2", "= 2", {"not valid TOML", "expected value, saw '='"}},
+    {"UnknownKeyOfATire", "friction = 1.0", "friction = 1.0\ngrip = 2", "grip",
+     {"key 'tire.road.grip' = 2 is unknown"}},
+    {"TomlSyntax", "mass_kg = 1002.0", "mass_kg = = 2", "= 2", {"not valid TOML", "could not determine value type"}},
     {"TwoNumbersForAPoint", "center_of_mass_m = [-1.1524, 0.0, 0.6137]", "center_of_mass_m = [-1.1524, 0.6137]",
      "[-1.1524, 0.6137]", {"'chassis.center_of_mass_m' = [-1.1524, 0.6137]: expected 3 numbers [m]"}},
     {"NotANumberInAPoint", "center_of_mass_m = [-1.1524, 0.0,", "center_of_mass_m = [-1.1524, nan,", "nan,",
@@ -274,8 +266,8 @@ const std::vector<BadInput> bad_vehicles{
     {"DriveSharesDoNotAddUp", "drive_share = 1.0", "drive_share = 0.6", "0.6 ",
      {"'axle[rear].drive_share' = 0.6", "add up to 1", "here 0.6"}},
     {"DriveShareAboveOne", "drive_share = 1.0", "drive_share = 1.5", "1.5 ", {"expected a number from 0 to 1"}},
-    {"DamperNotIncreasing", "damping_N_s_per_m = 2093.0", "velocity_m_per_s = [-1, 0, 0]\nforce_N = [-1, 0, 1]", "0]\nforce",
-     {"'axle[front].damper.velocity_m_per_s[2]' = 0", "above the one before, 0 [m/s]"}},
+    {"DamperNotIncreasing", "damping_N_s_per_m = 2093.0", "velocity_m_per_s = [-1, 0, 0]\nforce_N = [-1, 0, 1]",
+     "0]\nforce", {"'axle[front].damper.velocity_m_per_s[2]' = 0", "above the one before, 0 [m/s]"}},
     {"DamperLengths", "damping_N_s_per_m = 2093.0", "velocity_m_per_s = [-1, 0, 1]\nforce_N = [-1, 1]", "[-1, 1]",
      {"damper.force_N' = [-1, 1]: expected 3 numbers, one for each of 'velocity_m_per_s' [N]"}},
     {"DamperMissesOrigin", "damping_N_s_per_m = 2093.0", "velocity_m_per_s = [-1, 1]\nforce_N = [-1, 2]", "[-1, 2]",
@@ -285,7 +277,7 @@ const std::vector<BadInput> bad_vehicles{
 };
 
 INSTANTIATE_TEST_SUITE_P(EveryMistake, BadVehicleFile, testing::ValuesIn(bad_vehicles),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& test) { return test.param.name; });
 
 TEST(VehicleFile, UnreadablePathsAreInputOutputErrors) {
     const TemporaryFolder folder;

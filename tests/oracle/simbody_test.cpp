@@ -1,0 +1,121 @@
+// An independent engine: the shipped car, from the same file, in Simbody (absolute coordinates, constraints with
+// multipliers, wheels as bodies, force laws written a second time). Driven and steered for 6 s, both cars take the same
+// path within 1e-5 m and 1e-5 rad.
+#include <gtest/gtest.h>
+
+#include "oracle/simbody_car.hpp"
+#include "support/car.hpp"
+
+namespace hamilcar {
+namespace {
+
+constexpr double path_tolerance = 1e-5;   // [m]
+constexpr double angle_tolerance = 1e-5;  // [rad]
+
+oracle::CarState as_seen_by_simbody(const Simulation& simulation) {
+    const Sample s = simulation.sample();
+    const Mat3<double>& R = s.velocity.R_GC;
+    oracle::CarState car;
+    for (std::size_t i = 0; i < 3; ++i) {
+        car.position[i] = s.state.position()[static_cast<int>(i)];
+        car.velocity[i] = R.row(static_cast<int>(i)).dot(s.velocity.hub.head<3>());
+        car.angular_velocity[i] = R.row(static_cast<int>(i)).dot(s.velocity.hub.tail<3>());
+        for (std::size_t j = 0; j < 3; ++j) car.rotation[3 * i + j] = R(static_cast<int>(i), static_cast<int>(j));
+    }
+    for (int i = 0; i < simulation.model().vehicle.spoke_count(); ++i) {
+        const auto spoke = s.state.spoke(i);
+        const auto& momenta = s.momenta.spokes[static_cast<std::size_t>(i)];
+        car.corners.push_back({.independent = spoke.independent[0],
+                               .independent_rate = momenta.V_rate[0],
+                               .spin = momenta.forces.spin,
+                               .u = spoke.deflection_x,
+                               .v = spoke.deflection_y,
+                               .b = spoke.brake_windup});
+    }
+    return car;
+}
+
+struct Gap {
+    double position = 0, angle = 0;
+};
+Gap gap_between(const Simulation& simulation, const oracle::SimbodyCar& simbody) {
+    const auto theirs = simbody.state();
+    const auto ours = as_seen_by_simbody(simulation);
+    const Vec3<double> a(ours.position.data()), b(theirs.position.data());
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> A(ours.rotation.data()), B(theirs.rotation.data());
+    // The rotation between two close orientations: the skew part of A^T B.
+    const Mat3<double> between = A.transpose() * B;
+    const Vec3<double> angle(between(2, 1) - between(1, 2), between(0, 2) - between(2, 0), between(1, 0) - between(0, 1));
+    return {(a - b).norm(), 0.5 * angle.norm()};
+}
+
+// Runs both and returns the largest gap over the run, looked at ten times a second.
+Gap largest_gap(const ScenarioDescription& scenario) {
+    const VehicleDescription car = test::shipped_car();
+    Simulation simulation(car, scenario);
+    oracle::SimbodyCar simbody(car, {scenario.road.grade, scenario.road.bank, scenario.road.friction});
+    const auto inputs = [&](double t) -> oracle::Inputs {
+        const Input<double> in = simulation.schedule()(t);
+        return {in.rack.displacement, in.rack.rate, in.rack.acceleration, in.drive_torque, in.brake};
+    };
+    simbody.set_inputs(inputs(0));
+    simbody.set_state(as_seen_by_simbody(simulation));
+    constexpr double oracle_step = 1e-3, look_every = 0.1;
+    const long our_steps = std::lround(look_every / scenario.solver.step);
+    Gap largest;
+    while (!simulation.finished()) {
+        const double t = simulation.time();
+        simbody.advance(t, oracle_step, static_cast<int>(std::lround(look_every / oracle_step)), inputs);
+        for (long i = 0; i < our_steps; ++i) {
+            if (const auto end = simulation.advance()) ADD_FAILURE() << end->message;
+        }
+        const Gap gap = gap_between(simulation, simbody);
+        largest = {std::max(largest.position, gap.position), std::max(largest.angle, gap.angle)};
+    }
+    EXPECT_LT(simbody.worst_constraint_error(), 1e-10);
+    return largest;
+}
+
+ScenarioDescription driven_and_steered() {
+    ScenarioDescription s = test::scenario(6, 15);
+    s.solver.integrator = "rk4";
+    s.solver.step = 5e-4;
+    s.drive = test::table({0, 0.5, 3, 3.5}, {0, 500, 500, 0});
+    s.brake = test::table({4, 4.5, 6}, {0, 0.15, 0.15});
+    s.steering_input = SteeringInput::rack;
+    s.steering = test::table({1, 2, 3, 4, 5}, {0, 0.004, -0.004, 0.003, 0});
+    return s;
+}
+
+TEST(Simbody, TakesTheSamePath) {
+    const Gap gap = largest_gap(driven_and_steered());
+    RecordProperty("largest_path_gap_m", std::to_string(gap.position));
+    std::printf("largest gap: %.2e m, %.2e rad\n", gap.position, gap.angle);
+    EXPECT_LT(gap.position, path_tolerance);
+    EXPECT_LT(gap.angle, angle_tolerance);
+}
+
+TEST(Simbody, TakesTheSamePathAsTheDefaultMethod) {
+    ScenarioDescription scenario = driven_and_steered();
+    scenario.solver.integrator = "ab3";
+    scenario.solver.step = 1e-3;
+    const Gap gap = largest_gap(scenario);
+    std::printf("largest gap: %.2e m, %.2e rad\n", gap.position, gap.angle);
+    EXPECT_LT(gap.position, path_tolerance);
+    EXPECT_LT(gap.angle, angle_tolerance);
+}
+
+TEST(Simbody, AgreesOnASlopeFromRest) {
+    ScenarioDescription scenario = driven_and_steered();
+    scenario.initial.velocity = {0, 0, 0};
+    scenario.road = {.grade = 0.05, .bank = 0.02, .friction = 0.9};
+    scenario.brake = {};
+    scenario.drive = test::table({0, 0.5, 6}, {0, 900, 900});
+    const Gap gap = largest_gap(scenario);
+    std::printf("largest gap: %.2e m, %.2e rad\n", gap.position, gap.angle);
+    EXPECT_LT(gap.position, path_tolerance);
+    EXPECT_LT(gap.angle, angle_tolerance);
+}
+
+}  // namespace
+}  // namespace hamilcar
