@@ -41,10 +41,17 @@ nlohmann::json describe(const Simulation& simulation, const std::string& file) {
     nlohmann::json spokes = nlohmann::json::array();
     for (std::size_t i = 0; i < counted.spokes.size(); ++i) {
         const SpokeStructure& spoke = counted.spokes[i];
-        const LoopReport loop = inspect_loops(simulation.model(), sample.input.rack, simulation.state(), static_cast<int>(i));
-        spokes.push_back({{"name", spoke.name}, {"suspension", spoke.suspension}, {"tree_joints", spoke.joints},
-                          {"cut_joints", spoke.cuts}, {"independent", spoke.independent}, {"dependent", spoke.dependent},
-                          {"cut_equations", spoke.cut_equations}, {"opening_m", loop.opening}, {"mobility", loop.mobility},
+        const LoopReport loop =
+            inspect_loops(simulation.model(), sample.input.rack, simulation.state(), static_cast<int>(i));
+        spokes.push_back({{"name", spoke.name},
+                          {"suspension", spoke.suspension},
+                          {"tree_joints", spoke.joints},
+                          {"cut_joints", spoke.cuts},
+                          {"independent", spoke.independent},
+                          {"dependent", spoke.dependent},
+                          {"cut_equations", spoke.cut_equations},
+                          {"opening_m", loop.opening},
+                          {"mobility", loop.mobility},
                           {"static_load_N", sample.momenta.spokes[i].forces.tire.Fz}});
     }
     int paper_constraints = 0;
@@ -55,11 +62,18 @@ nlohmann::json describe(const Simulation& simulation, const std::string& file) {
     }
     nlohmann::json channels = nlohmann::json::array();
     for (const Channel& channel : all_channels(simulation.vehicle())) {
-        channels.push_back({{"name", channel.column.name}, {"unit", channel.column.unit}, {"meaning", channel.column.description}});
+        channels.push_back(
+            {{"name", channel.column.name}, {"unit", channel.column.unit}, {"meaning", channel.column.description}});
     }
-    return {{"file", file}, {"vehicle", simulation.vehicle().name}, {"mass_kg", simulation.model().vehicle.total_mass},
-            {"bodies", counted.bodies}, {"coordinates", counted.coordinates}, {"cut_equations", counted.cut_equations},
-            {"degrees_of_freedom", counted.degrees_of_freedom}, {"wheel_spins", counted.wheel_spins}, {"spokes", spokes},
+    return {{"file", file},
+            {"vehicle", simulation.vehicle().name},
+            {"mass_kg", simulation.model().vehicle.total_mass},
+            {"bodies", counted.bodies},
+            {"coordinates", counted.coordinates},
+            {"cut_equations", counted.cut_equations},
+            {"degrees_of_freedom", counted.degrees_of_freedom},
+            {"wheel_spins", counted.wheel_spins},
+            {"spokes", spokes},
             {"table_2", {{"coordinates", 7 * counted.bodies}, {"constraints", paper_constraints}, {"rows", table}}},
             {"channels", channels}};
 }
@@ -77,8 +91,10 @@ std::string report(const nlohmann::json& facts) {
     for (const auto& spoke : facts["spokes"]) {
         s += fmt::format("{} ({}), {:.0f} N on the road\n", spoke["name"].get<std::string>(),
                          spoke["suspension"].get<std::string>(), spoke["static_load_N"].get<double>());
-        s += fmt::format("  tree joints   {}\n  cut joints    {}\n", join(spoke["tree_joints"]), join(spoke["cut_joints"]));
-        s += fmt::format("  independent   {}\n  dependent     {}\n", join(spoke["independent"]), join(spoke["dependent"]));
+        s += fmt::format("  tree joints   {}\n  cut joints    {}\n", join(spoke["tree_joints"]),
+                         join(spoke["cut_joints"]));
+        s += fmt::format("  independent   {}\n  dependent     {}\n", join(spoke["independent"]),
+                         join(spoke["dependent"]));
         if (spoke["cut_equations"].get<int>() > 0) {
             s += fmt::format("  loops         closed within {:.1e} m, mobility {:.3f} (0 would be locked)\n",
                              spoke["opening_m"].get<double>(), spoke["mobility"].get<double>());
@@ -92,11 +108,12 @@ std::string report(const nlohmann::json& facts) {
     s += fmt::format("degrees of freedom       {} = 6 + {} independent suspension coordinates (and {} wheel spins)\n",
                      facts["degrees_of_freedom"].get<int>(), facts["degrees_of_freedom"].get<int>() - 6,
                      facts["wheel_spins"].get<int>());
-    s += fmt::format("counted as in the paper's Table 2: {} x 7 = {} coordinates - {} constraints = {}\n", facts["bodies"].get<int>(),
-                     coordinates, constraints, coordinates - constraints);
-    s += fmt::format("  (with the steering driver among the constraints, as printed there, {}: but the driver's coordinate,\n"
-                     "   the rack q17, is not among the {}; it is prescribed and removes nothing)\n",
-                     coordinates - constraints - 1, coordinates);
+    s += fmt::format("counted as in the paper's Table 2: {} x 7 = {} coordinates - {} constraints = {}\n",
+                     facts["bodies"].get<int>(), coordinates, constraints, coordinates - constraints);
+    s += fmt::format(
+        "  (with the steering driver among the constraints, as printed there, {}: but the driver's coordinate,\n"
+        "   the rack q17, is not among the {}; it is prescribed and removes nothing)\n",
+        coordinates - constraints - 1, coordinates);
     return s;
 }
 
@@ -106,8 +123,8 @@ io::ExitCode check(const Options& options) {
     const ScenarioDescription scenario =
         is_scenario(options.file) ? io::read_scenario(options.file) : standing_still(options.file);
     const VehicleDescription vehicle = io::read_vehicle(scenario.vehicle);
-    select_channels(all_channels(vehicle), scenario.output.channels);
-    const Simulation simulation(vehicle, scenario);
+    in_file(options.file, [&] { return select_channels(all_channels(vehicle), scenario.output.channels); });
+    const Simulation simulation = in_file(options.file, [&] { return Simulation(vehicle, scenario); });
     const nlohmann::json facts = describe(simulation, options.file);
     const std::string text = options.json ? facts.dump(2) + "\n" : report(facts);
     if (options.output.empty()) {

@@ -22,6 +22,16 @@ void make_folder(const std::string& path);
 // Writes a whole small file; throws io::Error(input_output).
 void write_file(const std::string& path, const std::string& text);
 
+// Runs `f`; an error that it throws gets the file's name in front.
+template <class F>
+auto in_file(const std::string& path, F&& f) {
+    try {
+        return f();
+    } catch (const io::Error& error) {
+        throw io::Error(error.code(), path + ": " + error.what());
+    }
+}
+
 // True once Ctrl-C was pressed; `watch_interrupt` starts watching.
 void watch_interrupt();
 bool interrupted();

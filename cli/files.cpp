@@ -13,7 +13,9 @@ namespace hamilcar::cli {
 
 namespace {
 volatile std::sig_atomic_t interrupt_seen = 0;
-extern "C" void on_interrupt(int) { interrupt_seen = 1; }
+extern "C" void on_interrupt(int) {
+    interrupt_seen = 1;
+}
 }  // namespace
 
 void watch_interrupt() {
@@ -24,7 +26,9 @@ void watch_interrupt() {
     sigaction(SIGTERM, &action, nullptr);
 }
 
-bool interrupted() { return interrupt_seen != 0; }
+bool interrupted() {
+    return interrupt_seen != 0;
+}
 
 void make_folder(const std::string& path) {
     std::error_code error;
@@ -40,7 +44,8 @@ void write_file(const std::string& path, const std::string& text) {
     std::ofstream file(path, std::ios::binary);
     file << text;
     file.close();
-    if (!file) throw io::Error(io::ExitCode::input_output, fmt::format("{}: cannot write: {}", path, std::strerror(errno)));
+    if (!file)
+        throw io::Error(io::ExitCode::input_output, fmt::format("{}: cannot write: {}", path, std::strerror(errno)));
 }
 
 }  // namespace hamilcar::cli

@@ -1,6 +1,6 @@
 // `hamilcar`: run a scenario, run the paper's case, check a file. A skin: no physics here.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <new>
@@ -38,8 +38,10 @@ int parse_failure(const CLI::App& app, const CLI::ParseError& error, int argc, c
 }
 
 int run_command(int argc, char** argv) {
-    CLI::App app{"Hamilcar simulates wheeled vehicles with their real suspension linkages.\n"
-                 "Exit codes: 0 ok, 1 criterion not met, 2 usage, 3 bad file, 4 numerical failure, 5 input/output, 130 interrupted"};
+    CLI::App app{
+        "Hamilcar simulates wheeled vehicles with their real suspension linkages.\n"
+        "Exit codes: 0 ok, 1 criterion not met, 2 usage, 3 bad file, 4 numerical failure, 5 input/output, 130 "
+        "interrupted"};
     app.set_version_flag("--version", "hamilcar " HAMILCAR_VERSION);
     app.require_subcommand(1);
     cli::Options options;

@@ -27,11 +27,13 @@ const std::vector<double> shown_gains{50, 200, 400, 500};
 constexpr double paper_gain = 400, paper_norm = 0.005;
 
 std::string paper_scenario() {
-    for (const std::string& folder : {std::string("."), std::string(HAMILCAR_SOURCE_DATA), std::string(HAMILCAR_INSTALLED_DATA)}) {
+    for (const std::string& folder :
+         {std::string("."), std::string(HAMILCAR_SOURCE_DATA), std::string(HAMILCAR_INSTALLED_DATA)}) {
         const std::string path = folder + "/scenarios/paper.toml";
         if (std::filesystem::exists(path)) return path;
     }
-    throw io::Error(io::ExitCode::input_output, "scenarios/paper.toml: not found here, in the source or where hamilcar is installed");
+    throw io::Error(io::ExitCode::input_output,
+                    "scenarios/paper.toml: not found here, in the source or where hamilcar is installed");
 }
 
 struct Figure {
@@ -44,7 +46,8 @@ constexpr Figure figures[] = {
     {"fig14_vertical_velocity", "Fig. 14  Vertical velocity of the chassis", "chassis.velocity.z", "z' [m/s]"},
 };
 
-void write_columns(const std::string& path, const std::vector<std::string>& heads, const std::vector<const std::vector<double>*>& columns) {
+void write_columns(const std::string& path, const std::vector<std::string>& heads,
+                   const std::vector<const std::vector<double>*>& columns) {
     std::string text;
     for (std::size_t j = 0; j < heads.size(); ++j) text += (j ? "," : "") + heads[j];
     text += "\n";
@@ -70,10 +73,14 @@ nlohmann::json write_table_2(const std::string& folder, const Simulation& simula
         text += fmt::format("{},{}\n", row.what, row.constraints);
         total += row.constraints;
     }
-    text += fmt::format("total,{}\ncoordinates,{}\nas printed: coordinates - total,{}\n", total, 7 * counted.bodies, 7 * counted.bodies - total);
-    text += fmt::format("degrees of freedom (the rack's coordinate counted with its driver),{}\n", counted.degrees_of_freedom);
+    text += fmt::format("total,{}\ncoordinates,{}\nas printed: coordinates - total,{}\n", total, 7 * counted.bodies,
+                        7 * counted.bodies - total);
+    text += fmt::format("degrees of freedom (the rack's coordinate counted with its driver),{}\n",
+                        counted.degrees_of_freedom);
     write_file(folder + "/table2_degrees_of_freedom.csv", text);
-    return {{"constraints", total}, {"coordinates", 7 * counted.bodies}, {"as_printed", 7 * counted.bodies - total},
+    return {{"constraints", total},
+            {"coordinates", 7 * counted.bodies},
+            {"as_printed", 7 * counted.bodies - total},
             {"degrees_of_freedom", counted.degrees_of_freedom}};
 }
 
@@ -82,8 +89,8 @@ nlohmann::json write_table_3(const std::string& folder, double step) {
     nlohmann::json rows = nlohmann::json::array();
     for (const Method& method : methods) {
         if (!method.paper_limit) continue;
-        text += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g}\n", method.name, method.order, *method.paper_limit, method.real_axis_limit,
-                            *method.paper_limit / step, method.real_axis_limit / step);
+        text += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g}\n", method.name, method.order, *method.paper_limit,
+                            method.real_axis_limit, *method.paper_limit / step, method.real_axis_limit / step);
         rows.push_back({{"order", method.order}, {"paper", *method.paper_limit}, {"exact", method.real_axis_limit}});
     }
     write_file(folder + "/table3_stability_limits.csv", text);
@@ -107,13 +114,15 @@ RunSummary write_motion_figures(const std::string& folder, Simulation& simulatio
     for (std::size_t i = 0; i < channels.size(); ++i) {
         const io::Column& column = channels[i].column;
         const std::string base = folder + "/" + figures[i].file;
-        write_columns(base + ".csv", {"time [s]", fmt::format("{} [{}]", column.name, column.unit)}, {&time, &values[i]});
+        write_columns(base + ".csv", {"time [s]", fmt::format("{} [{}]", column.name, column.unit)},
+                      {&time, &values[i]});
         io::write_chart(base + ".svg", {figures[i].title, "time [s]", figures[i].y_label, {{"", time, values[i]}}});
     }
     return summary;
 }
 
-nlohmann::json write_figure_9(const std::string& folder, const VehicleDescription& vehicle, const ScenarioDescription& scenario) {
+nlohmann::json write_figure_9(const std::string& folder, const VehicleDescription& vehicle,
+                              const ScenarioDescription& scenario) {
     const auto runs = stabilization_sweep(vehicle, scenario, sweep_gains, figure_interval);
     const double limit = find_method(scenario.solver.integrator)->real_axis_limit / scenario.solver.step;
     std::string sweep = "alpha [1/s],alpha h,rms norm of Phi,largest norm of Phi,reached [s],stable\n";
@@ -123,8 +132,8 @@ nlohmann::json write_figure_9(const std::string& folder, const VehicleDescriptio
     const SweepRun* at_paper = nullptr;
     double first_unstable = 0;
     for (const SweepRun& run : runs) {
-        sweep += fmt::format("{},{:.6g},{},{},{:.6g},{}\n", run.gain, run.gain * scenario.solver.step, run.rms_norm, run.max_norm, run.ended,
-                             run.blew_up ? "no" : "yes");
+        sweep += fmt::format("{},{:.6g},{},{},{:.6g},{}\n", run.gain, run.gain * scenario.solver.step, run.rms_norm,
+                             run.max_norm, run.ended, run.blew_up ? "no" : "yes");
         if (run.gain == paper_gain) at_paper = &run;
         if (run.blew_up && first_unstable == 0) first_unstable = run.gain;
         if (!run.blew_up) {
@@ -136,26 +145,33 @@ nlohmann::json write_figure_9(const std::string& folder, const VehicleDescriptio
         io::Curve curve{fmt::format("alpha = {:g}", run.gain), run.time, run.norm};
         for (double& y : curve.y) y = std::max(y, 1e-17);  // zero has no logarithm
         over_time.curves.push_back(curve);
-        write_columns(fmt::format("{}/fig09_alpha_{:g}.csv", folder, run.gain), {"time [s]", "|Phi|"}, {&run.time, &run.norm});
+        write_columns(fmt::format("{}/fig09_alpha_{:g}.csv", folder, run.gain), {"time [s]", "|Phi|"},
+                      {&run.time, &run.norm});
     }
     write_file(folder + "/fig09_sweep.csv", sweep);
     io::write_chart(folder + "/fig09_norm_over_time.svg", over_time);
-    io::write_chart(folder + "/fig09_norm_over_alpha.svg",
-                    {"Fig. 9 swept: constraint violation against the gain", "alpha [1/s]", "norm of Phi", {rms, largest}, true,
-                     {{limit, fmt::format("stability limit {:.0f}", limit)}}});
+    io::write_chart(folder + "/fig09_norm_over_alpha.svg", {"Fig. 9 swept: constraint violation against the gain",
+                                                            "alpha [1/s]",
+                                                            "norm of Phi",
+                                                            {rms, largest},
+                                                            true,
+                                                            {{limit, fmt::format("stability limit {:.0f}", limit)}}});
     return {{"paper_claim", {{"least_at_gain_per_s", paper_gain}, {"norm", paper_norm}}},
             {"least_rms_at_gain_per_s", best ? nlohmann::json(best->gain) : nlohmann::json(nullptr)},
             {"least_rms_norm", best ? nlohmann::json(best->rms_norm) : nlohmann::json(nullptr)},
-            {"rms_norm_at_paper_gain", at_paper->rms_norm}, {"largest_norm_at_paper_gain", at_paper->max_norm},
-            {"stability_limit_per_s", limit}, {"first_unstable_gain_per_s", first_unstable}};
+            {"rms_norm_at_paper_gain", at_paper->rms_norm},
+            {"largest_norm_at_paper_gain", at_paper->max_norm},
+            {"stability_limit_per_s", limit},
+            {"first_unstable_gain_per_s", first_unstable}};
 }
 
 void print_paper(const nlohmann::json& facts, const std::string& folder) {
     const auto& fig9 = facts["figure_9"];
     print_summary(facts["run"]);
-    fmt::print("\nTable 2   {} coordinates - {} constraints = {} as printed; {} degrees of freedom (the rack is prescribed)\n",
-               facts["table_2"]["coordinates"].get<int>(), facts["table_2"]["constraints"].get<int>(),
-               facts["table_2"]["as_printed"].get<int>(), facts["table_2"]["degrees_of_freedom"].get<int>());
+    fmt::print(
+        "\nTable 2   {} coordinates - {} constraints = {} as printed; {} degrees of freedom (the rack is prescribed)\n",
+        facts["table_2"]["coordinates"].get<int>(), facts["table_2"]["constraints"].get<int>(),
+        facts["table_2"]["as_printed"].get<int>(), facts["table_2"]["degrees_of_freedom"].get<int>());
     fmt::print("Table 3   ST_3 = 0.4 in print, 6/11 exactly\n");
     fmt::print("Figure 9  paper: least violation at alpha = {:g}, norm about {:g}\n", paper_gain, paper_norm);
     fmt::print("          here:  least RMS norm {:.2e} at alpha = {:g}; at {:g} RMS {:.2e}, largest {:.2e}\n",
@@ -169,11 +185,12 @@ void print_paper(const nlohmann::json& facts, const std::string& folder) {
 }  // namespace
 
 io::ExitCode paper(const Options& options) {
-    const ScenarioDescription scenario = io::read_scenario(options.file.empty() ? paper_scenario() : options.file);
+    const std::string file = options.file.empty() ? paper_scenario() : options.file;
+    const ScenarioDescription scenario = io::read_scenario(file);
     const VehicleDescription vehicle = io::read_vehicle(scenario.vehicle);
     const std::string folder = options.output.empty() ? "out/paper" : options.output;
     make_folder(folder);
-    Simulation simulation(vehicle, scenario);
+    Simulation simulation = in_file(file, [&] { return Simulation(vehicle, scenario); });
     nlohmann::json facts;
     facts["table_2"] = write_table_2(folder, simulation);
     facts["table_3"] = write_table_3(folder, scenario.solver.step);

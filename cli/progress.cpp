@@ -20,7 +20,8 @@ void Progress::show(double share) {
     const int filled = static_cast<int>(share * width);
     std::string bar;
     for (int i = 0; i < width; ++i) bar += i < filled ? "#" : ".";
-    fmt::print(stderr, "\r{} {}[{}]{} {:3.0f} %", label_, color_ ? "\033[36m" : "", bar, color_ ? "\033[0m" : "", 100 * share);
+    fmt::print(stderr, "\r{} {}[{}]{} {:3.0f} %", label_, color_ ? "\033[36m" : "", bar, color_ ? "\033[0m" : "",
+               100 * share);
     std::fflush(stderr);
     drawn_ = true;
 }

@@ -4,12 +4,14 @@
 
 namespace hamilcar::cli {
 
-nlohmann::json summary_json(const Simulation& simulation, const RunSummary& summary, const std::vector<std::string>& files) {
+nlohmann::json summary_json(const Simulation& simulation, const RunSummary& summary,
+                            const std::vector<std::string>& files) {
     const Sample end = simulation.sample();
     nlohmann::json state;
     for (const Channel& channel : all_channels(simulation.vehicle())) {
         const std::string& name = channel.column.name;
-        if (name.starts_with("chassis.position") || name.starts_with("chassis.velocity") || name.starts_with("chassis.angle")) {
+        if (name.starts_with("chassis.position") || name.starts_with("chassis.velocity") ||
+            name.starts_with("chassis.angle")) {
             state[name] = {{"value", channel.read(end)}, {"unit", channel.column.unit}};
         }
     }
@@ -27,8 +29,11 @@ nlohmann::json summary_json(const Simulation& simulation, const RunSummary& summ
         {"real_time_factor", summary.real_time_factor()},
         {"worst_constraint_opening_m", summary.worst_opening},
         {"energy",
-         {{"kinetic_J", end.energy.kinetic}, {"potential_J", end.energy.potential}, {"work_J", end.energy.work},
-          {"worst_balance_error_J", summary.worst_energy_drift}, {"largest_kinetic_J", summary.largest_kinetic_energy}}},
+         {{"kinetic_J", end.energy.kinetic},
+          {"potential_J", end.energy.potential},
+          {"work_J", end.energy.work},
+          {"worst_balance_error_J", summary.worst_energy_drift},
+          {"largest_kinetic_J", summary.largest_kinetic_energy}}},
         {"end_state", state},
         {"files", files},
         {"ended_early", summary.ended_early ? nlohmann::json(*summary.ended_early) : nlohmann::json(nullptr)},
@@ -40,17 +45,19 @@ nlohmann::json summary_json(const Simulation& simulation, const RunSummary& summ
 void print_summary(const nlohmann::json& facts) {
     const auto& energy = facts["energy"];
     const auto value = [&](const char* name) { return facts["end_state"][name]["value"].get<double>(); };
-    fmt::print("{} with {}: {:.6g} s in {} steps of {:g} s ({}, {} constraints)\n", facts["scenario"].get<std::string>(),
-               facts["vehicle"].get<std::string>(), facts["simulated_s"].get<double>(), facts["steps"].get<long>(),
-               facts["step_s"].get<double>(), facts["integrator"].get<std::string>(), facts["constraints"].get<std::string>());
+    fmt::print("{} with {}: {:.6g} s in {} steps of {:g} s ({}, {} constraints)\n",
+               facts["scenario"].get<std::string>(), facts["vehicle"].get<std::string>(),
+               facts["simulated_s"].get<double>(), facts["steps"].get<long>(), facts["step_s"].get<double>(),
+               facts["integrator"].get<std::string>(), facts["constraints"].get<std::string>());
     fmt::print("  end state        x {:.3f}, y {:.3f}, z {:.4f} m; speed {:.3f}, {:.3f}, {:.3f} m/s\n",
                value("chassis.position.x"), value("chassis.position.y"), value("chassis.position.z"),
                value("chassis.velocity.x"), value("chassis.velocity.y"), value("chassis.velocity.z"));
     fmt::print("                   roll {:.3f}, pitch {:.3f}, yaw {:.3f} deg\n", value("chassis.angle.roll"),
                value("chassis.angle.pitch"), value("chassis.angle.yaw"));
     fmt::print("  joints           open by {:.2e} m at most\n", facts["worst_constraint_opening_m"].get<double>());
-    fmt::print("  energy           kinetic {:.1f} J, work {:.1f} J; balance within {:.2e} J\n", energy["kinetic_J"].get<double>(),
-               energy["work_J"].get<double>(), energy["worst_balance_error_J"].get<double>());
+    fmt::print("  energy           kinetic {:.1f} J, work {:.1f} J; balance within {:.2e} J\n",
+               energy["kinetic_J"].get<double>(), energy["work_J"].get<double>(),
+               energy["worst_balance_error_J"].get<double>());
     fmt::print("  speed            {:.3f} s, {:.0f} times real time\n", facts["wall_s"].get<double>(),
                facts["real_time_factor"].get<double>());
     for (const auto& file : facts["files"]) fmt::print("  wrote            {}\n", file.get<std::string>());

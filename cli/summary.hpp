@@ -7,7 +7,8 @@
 
 namespace hamilcar::cli {
 
-nlohmann::json summary_json(const Simulation& simulation, const RunSummary& summary, const std::vector<std::string>& files);
+nlohmann::json summary_json(const Simulation& simulation, const RunSummary& summary,
+                            const std::vector<std::string>& files);
 void print_summary(const nlohmann::json& facts);
 
 }  // namespace hamilcar::cli

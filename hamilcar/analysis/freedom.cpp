@@ -13,8 +13,10 @@ SpokeStructure describe(const S& suspension, const std::string& corner) {
     suspension.linkage.for_each_cut([&](const auto& joint) {
         out.cuts.push_back(std::string(suspension.cut_names[cut++]) + " (" + std::string(joint.name) + ")");
     });
-    for (int i : Linkage::independent_indices()) out.independent.emplace_back(suspension.coordinate_names[static_cast<std::size_t>(i)]);
-    for (int i : Linkage::dependent_indices()) out.dependent.emplace_back(suspension.coordinate_names[static_cast<std::size_t>(i)]);
+    for (int i : Linkage::independent_indices())
+        out.independent.emplace_back(suspension.coordinate_names[static_cast<std::size_t>(i)]);
+    for (int i : Linkage::dependent_indices())
+        out.dependent.emplace_back(suspension.coordinate_names[static_cast<std::size_t>(i)]);
     out.cut_equations = Linkage::equations;
     return out;
 }
@@ -24,8 +26,8 @@ SpokeStructure describe(const S& suspension, const std::string& corner) {
 Structure structure(const Vehicle<double>& vehicle, const std::vector<std::string>& corner_names) {
     Structure out;
     for (std::size_t i = 0; i < vehicle.spokes.size(); ++i) {
-        out.spokes.push_back(std::visit([&](const auto& s) { return describe(s, corner_names[i]); },
-                                        vehicle.spokes[i].suspension));
+        out.spokes.push_back(
+            std::visit([&](const auto& s) { return describe(s, corner_names[i]); }, vehicle.spokes[i].suspension));
         const SpokeStructure& spoke = out.spokes.back();
         out.bodies += 1;
         out.coordinates += static_cast<int>(spoke.independent.size() + spoke.dependent.size());

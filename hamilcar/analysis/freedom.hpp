@@ -9,20 +9,20 @@
 namespace hamilcar {
 
 struct SpokeStructure {
-    std::string name;                              // of the corner
-    std::string suspension;                        // keyword
-    std::vector<std::string> joints, cuts;         // with their kinds
+    std::string name;                       // of the corner
+    std::string suspension;                 // keyword
+    std::vector<std::string> joints, cuts;  // with their kinds
     std::vector<std::string> independent, dependent;
     int cut_equations = 0;
 };
 
 struct Structure {
     std::vector<SpokeStructure> spokes;
-    int bodies = 1;                // chassis and carriers; wheels only spin
-    int coordinates = 6;           // Z, V, W
+    int bodies = 1;       // chassis and carriers; wheels only spin
+    int coordinates = 6;  // Z, V, W
     int cut_equations = 0;
-    int degrees_of_freedom = 6;    // Z and V: the size of P_a
-    int wheel_spins = 0;           // on top, one momentum each
+    int degrees_of_freedom = 6;  // Z and V: the size of P_a
+    int wheel_spins = 0;         // on top, one momentum each
 };
 
 Structure structure(const Vehicle<double>& vehicle, const std::vector<std::string>& corner_names);

@@ -114,12 +114,10 @@ public:
     State<double> state_at(const Eigen::VectorXd& x) const {
         const Mat3<double> R = R_ * axis_rotation<double>(Vec3<double>::UnitX(), x[1]) *
                                axis_rotation<double>(Vec3<double>::UnitY(), x[2]);
-        State<double> state =
-            design_state(model_, Vec3<double>(start_.position()) + model_.road.normal * x[0], R);
+        State<double> state = design_state(model_, Vec3<double>(start_.position()) + model_.road.normal * x[0], R);
         int next = 3;
-        for_each_independent([&](int i, int j) {
-            state.spoke(i).independent[j] = start_.spoke(i).independent[j] + x[next++];
-        });
+        for_each_independent(
+            [&](int i, int j) { state.spoke(i).independent[j] = start_.spoke(i).independent[j] + x[next++]; });
         for (int i = 0; i < model_.vehicle.spoke_count(); ++i) {
             for (int j = 0; j < max_dependent; ++j) state.spoke(i).dependent[j] = start_.spoke(i).dependent[j];
         }
@@ -235,8 +233,8 @@ void set_velocities(const Model<double>& model, const Input<double>& input, cons
             const auto [radius, rolling_radius] =
                 std::visit([](const auto& tire) { return std::pair(tire.radius, tire.rolling_radius); }, spoke.tire);
             const auto f = contact_frame<double>(road, center, at.spin_axis, radius);
-            const double rolling = f.longitudinal.dot(velocity_at<double>(motion, f.point)) +
-                                   f.lever * at.spin_axis.dot(angular(motion));
+            const double rolling =
+                f.longitudinal.dot(velocity_at<double>(motion, f.point)) + f.lever * at.spin_axis.dot(angular(motion));
             to.spin_momentum = spoke.wheel.spin_inertia * rolling / rolling_radius;
             Spatial<double> h = at.inertia * motion;
             h.tail<3>() += at.spin_axis * to.spin_momentum;

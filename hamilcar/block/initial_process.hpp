@@ -13,9 +13,9 @@ namespace hamilcar {
 // How well one spoke's loops close at the state's coordinates.
 struct LoopReport {
     int spoke = 0;
-    int cut = -1;          // the worst cut joint; -1 without loops
-    double opening = 0;    // of that joint [m]
-    double mobility = 1;   // |det Phi_w| over the product of its row norms: 0 where the linkage locks
+    int cut = -1;         // the worst cut joint; -1 without loops
+    double opening = 0;   // of that joint [m]
+    double mobility = 1;  // |det Phi_w| over the product of its row norms: 0 where the linkage locks
 };
 LoopReport inspect_loops(const Model<double>& model, const RackMotion<double>& rack, const State<double>& state,
                          int spoke);

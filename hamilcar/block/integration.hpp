@@ -34,13 +34,11 @@ void normalize_orientation(State<T>& state) {
 // One step; `input_at(t)` is the driver. Returns the worst health met on the way.
 template <class T, class Driver>
 Health<T> integration_block(const Model<T>& model, Integrator<State<T>>& integrator, const Driver& input_at, double t,
-                       State<T>& state) {
+                            State<T>& state) {
     Health<T> health;
-    integrator.advance(
-        [&](double time, const State<T>& at, State<T>& rate) {
-            health.include(evaluate(model, input_at(time), at, rate));
-        },
-        t, state);
+    integrator.advance([&](double time, const State<T>& at,
+                           State<T>& rate) { health.include(evaluate(model, input_at(time), at, rate)); },
+                       t, state);
     if (model.constraints == ConstraintMode::exact) close_loops(model, input_at(t + integrator.step()).rack, state, 1);
     if (model.chart == ChassisChart::quaternion) normalize_orientation(state);
     return health;

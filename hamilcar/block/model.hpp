@@ -1,7 +1,7 @@
 // What the four blocks share and never change: the car, the road, and how the equations are to be integrated.
 #pragma once
 
-#include "hamilcar/driver/scenario.hpp"
+#include "hamilcar/description/scenario.hpp"
 #include "hamilcar/road/plane.hpp"
 #include "hamilcar/vehicle/chart.hpp"
 #include "hamilcar/vehicle/state.hpp"

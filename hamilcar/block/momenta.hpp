@@ -15,11 +15,11 @@ namespace hamilcar {
 // What pushes one spoke, for the equations and for the channels.
 template <class T>
 struct SpokeForces {
-    T spring, damper, stop, bar;        // axial [N]; stop and bar along the wheel's travel
-    T spring_length, damper_rate;       // [m, m/s]
-    T travel;                           // wheel travel [m]
-    T drive_torque, brake_torque;       // on the wheel [N m]
-    T spin;                             // relative to the carrier [rad/s]
+    T spring, damper, stop, bar;   // axial [N]; stop and bar along the wheel's travel
+    T spring_length, damper_rate;  // [m, m/s]
+    T travel;                      // wheel travel [m]
+    T drive_torque, brake_torque;  // on the wheel [N m]
+    T spin;                        // relative to the carrier [rad/s]
     TireContact<T> contact;
     TireForce<T> tire;
     ContactFrame<T> frame;
@@ -117,8 +117,7 @@ void spoke_momenta(const Spoke<T>& spoke, const S& suspension, const SpokeVeloci
     const Vec3<T> center = at.position.pose.point(spoke.wheel.center);
     f.drive_torque = spoke.drive_share * input.drive_torque;
     const Spatial<T> weight = spatial<T>(world.gravity * at.inertia.mass, at.inertia.moment.cross(world.gravity));
-    const Spatial<T> external =
-        weight + tire_wrench<T>(spoke, world.road, center, at.spin_axis, at.motion, state, f);
+    const Spatial<T> external = weight + tire_wrench<T>(spoke, world.road, center, at.spin_axis, at.motion, state, f);
     wheel_momenta(spoke, state, input, out);
 
     const auto spring = suspension.spring_line(at.position, state.independent);
@@ -165,6 +164,18 @@ void anti_roll_forces(const Vehicle<T>& vehicle, const Velocity<T>& velocity, Mo
     }
 }
 
+// What the ground, the air and gravity do to the chassis itself.
+template <class T>
+void chassis_momenta(const Vehicle<T>& vehicle, const Surroundings<T>& world, Momenta<T>& out) {
+    const Vec3<T> v = velocity_at<T>(world.hub, vehicle.aerodynamics.center);
+    const Vec3<T> drag = v * (-vehicle.aerodynamics.half_density_area * sqrt(v.squaredNorm()));
+    const auto hull = vehicle.hull.contact(world.road, world.hub);
+    out.external =
+        force_at<T>(vehicle.aerodynamics.center, drag) + hull.wrench +
+        spatial<T>(world.gravity * vehicle.chassis.mass, vehicle.chassis_inertia.moment.cross(world.gravity));
+    out.work_rate = drag.dot(v) + hull.lost_power;
+}
+
 template <class T>
 Momenta<T> momenta_block(const Model<T>& model, const State<T>& state, const Input<T>& input,
                          const Velocity<T>& velocity) {
@@ -173,11 +184,7 @@ Momenta<T> momenta_block(const Model<T>& model, const State<T>& state, const Inp
     const Surroundings<T> world{model.road.seen_from(state.position(), velocity.R_GC),
                                 velocity.R_GC.row(2).transpose() * (-vehicle.gravity), velocity.hub,
                                 model.stabilization_gain};
-    const Vec3<T> v = velocity_at<T>(velocity.hub, vehicle.aerodynamics.center);
-    const Vec3<T> drag = v * (-vehicle.aerodynamics.half_density_area * sqrt(v.squaredNorm()));
-    out.external = force_at<T>(vehicle.aerodynamics.center, drag) +
-                   spatial<T>(world.gravity * vehicle.chassis.mass, vehicle.chassis_inertia.moment.cross(world.gravity));
-    out.work_rate = drag.dot(v);
+    chassis_momenta(vehicle, world, out);
     anti_roll_forces(vehicle, velocity, out);
     for (int i = 0; i < vehicle.spoke_count(); ++i) {
         visit_spoke(vehicle, velocity, i, [&](const Spoke<T>& spoke, const auto& suspension, const auto& at) {

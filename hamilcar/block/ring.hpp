@@ -7,8 +7,8 @@ namespace hamilcar {
 
 // The rate of every number of the state, from the two blocks' outputs.
 template <class T>
-void rate_of_state(const Model<T>& model, const State<T>& state, const Velocity<T>& velocity,
-                   const Momenta<T>& momenta, State<T>& rate) {
+void rate_of_state(const Model<T>& model, const State<T>& state, const Velocity<T>& velocity, const Momenta<T>& momenta,
+                   State<T>& rate) {
     const Mat3<T>& R = velocity.R_GC;
     const Vec3<T> p = R * linear(velocity.momentum), r_rate = R * linear(velocity.hub);
     const Vec3<T> F = R * linear(momenta.external), N = R * angular(momenta.external);

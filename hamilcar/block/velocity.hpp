@@ -17,15 +17,15 @@ struct SpokeVelocity {
     using Linkage = typename S::Linkage;
     static constexpr int nV = Linkage::nV;
     typename Linkage::Position position;
-    SpatialInertia<T> inertia;      // Mhat of the carrier
-    Vec3<T> spin_axis;              // e
-    Spatial<T> spin_momentum;       // (0 ; e p_s)
-    Matrix<T, 6, nV> MJ;            // Mhat J
+    SpatialInertia<T> inertia;  // Mhat of the carrier
+    Vec3<T> spin_axis;          // e
+    Spatial<T> spin_momentum;   // (0 ; e p_s)
+    Matrix<T, 6, nV> MJ;        // Mhat J
     Matrix<T, nV, nV> m_inverse;
     Vector<T, nV> k;
     Vector<T, nV> V_rate;
-    Spatial<T> motion;              // v_1 + J V' + x
-    SpokeVelocity() {}              // every number is written by the block
+    Spatial<T> motion;  // v_1 + J V' + x
+    SpokeVelocity() {}  // every number is written by the block
 };
 
 namespace detail {
@@ -55,9 +55,9 @@ struct Health {
 template <class T>
 struct Velocity {
     Health<T> health;
-    Mat3<T> R_GC;                                     // chassis to ground axes
-    Spatial<T> momentum;                              // (p ; L) in chassis axes
-    Spatial<T> hub;                                   // v_1
+    Mat3<T> R_GC;         // chassis to ground axes
+    Spatial<T> momentum;  // (p ; L) in chassis axes
+    Spatial<T> hub;       // v_1
     std::array<AnySpokeVelocity<T>, max_spokes> spokes;
     Velocity() {}
 };

@@ -41,7 +41,8 @@ Signal::Value Signal::at(double time) const {
     if (!smooth_) return {value_[i] + s * rise, rise / h, 0};
     const double a = slope_[i] * h, b = slope_[i + 1] * h;  // Hermite: y = y0 + s (a + s (c2 + s c3))
     const double c2 = 3 * rise - 2 * a - b, c3 = a + b - 2 * rise;
-    return {value_[i] + s * (a + s * (c2 + s * c3)), (a + s * (2 * c2 + s * 3 * c3)) / h, (2 * c2 + 6 * s * c3) / (h * h)};
+    return {value_[i] + s * (a + s * (c2 + s * c3)), (a + s * (2 * c2 + s * 3 * c3)) / h,
+            (2 * c2 + 6 * s * c3) / (h * h)};
 }
 
 Schedule::Schedule(const ScenarioDescription& scenario, const SteeringDescription& steering)

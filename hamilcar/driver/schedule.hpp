@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hamilcar/block/model.hpp"
-#include "hamilcar/driver/scenario.hpp"
+#include "hamilcar/description/scenario.hpp"
 
 namespace hamilcar {
 

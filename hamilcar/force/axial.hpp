@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/scalar/scalar.hpp"
-#include "hamilcar/vehicle/description.hpp"
 
 namespace hamilcar {
 

@@ -15,8 +15,8 @@ struct Method {
     std::string_view name;
     MethodFamily family;
     int order;
-    double real_axis_limit;                // largest S with |growth| <= 1 for y' = -S/h y
-    std::optional<double> paper_limit;     // ST_k of the paper's Table 3
+    double real_axis_limit;             // largest S with |growth| <= 1 for y' = -S/h y
+    std::optional<double> paper_limit;  // ST_k of the paper's Table 3
 };
 
 // Adams-Bashforth: b_j multiplies f_{n-j}. Adams-Moulton: a_0 multiplies f_{n+1}, a_j f_{n+1-j}.
@@ -54,26 +54,24 @@ struct Tableau {
     std::array<double, max_stages> embedded;
 };
 
-inline constexpr Tableau classical_runge_kutta{
-    .stages = 4,
-    .nodes = {0, 0.5, 0.5, 1},
-    .stage = {{{}, {0.5}, {0, 0.5}, {0, 0, 1}}},
-    .weights = {1. / 6, 1. / 3, 1. / 3, 1. / 6},
-    .embedded = {}};
+inline constexpr Tableau classical_runge_kutta{.stages = 4,
+                                               .nodes = {0, 0.5, 0.5, 1},
+                                               .stage = {{{}, {0.5}, {0, 0.5}, {0, 0, 1}}},
+                                               .weights = {1. / 6, 1. / 3, 1. / 3, 1. / 6},
+                                               .embedded = {}};
 
 // Butcher 1964, order 6: starts the Adams methods with a local error of order 7.
-inline constexpr Tableau butcher_6{
-    .stages = 7,
-    .nodes = {0, 1. / 3, 2. / 3, 1. / 3, 5. / 6, 1. / 6, 1},
-    .stage = {{{},
-               {1. / 3},
-               {0, 2. / 3},
-               {1. / 12, 1. / 3, -1. / 12},
-               {25. / 48, -55. / 24, 35. / 48, 15. / 8},
-               {3. / 20, -11. / 24, -1. / 8, 1. / 2, 1. / 10},
-               {-261. / 260, 33. / 13, 43. / 156, -118. / 39, 32. / 195, 80. / 39}}},
-    .weights = {13. / 200, 0, 11. / 40, 11. / 40, 4. / 25, 4. / 25, 13. / 200},
-    .embedded = {}};
+inline constexpr Tableau butcher_6{.stages = 7,
+                                   .nodes = {0, 1. / 3, 2. / 3, 1. / 3, 5. / 6, 1. / 6, 1},
+                                   .stage = {{{},
+                                              {1. / 3},
+                                              {0, 2. / 3},
+                                              {1. / 12, 1. / 3, -1. / 12},
+                                              {25. / 48, -55. / 24, 35. / 48, 15. / 8},
+                                              {3. / 20, -11. / 24, -1. / 8, 1. / 2, 1. / 10},
+                                              {-261. / 260, 33. / 13, 43. / 156, -118. / 39, 32. / 195, 80. / 39}}},
+                                   .weights = {13. / 200, 0, 11. / 40, 11. / 40, 4. / 25, 4. / 25, 13. / 200},
+                                   .embedded = {}};
 
 // Dormand and Prince 1980, orders 5 and 4.
 inline constexpr Tableau dormand_prince{

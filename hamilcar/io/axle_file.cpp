@@ -29,19 +29,18 @@ Description read_kind(const std::array<Kind<Description>, N>& kinds, const Table
 }
 
 TireDescription read_linear_tire(const TableReader& tire) {
-    return LinearTireDescription{
-        .radius = tire.number("radius_m", positive),
-        .rolling_radius = tire.number("rolling_radius_m", positive),
-        .vertical_stiffness = tire.number("vertical_stiffness_N_per_m", positive),
-        .vertical_damping = tire.number("vertical_damping_N_s_per_m", not_negative),
-        .longitudinal_stiffness = tire.number("longitudinal_stiffness_per_load", positive),
-        .cornering_reference = tire.number("cornering_reference_N_per_rad", positive),
-        .cornering_load = tire.number("cornering_load_N", positive),
-        .friction = tire.number("friction", positive),
-        .relaxation_longitudinal = tire.number("relaxation_longitudinal_m", positive),
-        .relaxation_lateral = tire.number("relaxation_lateral_m", positive),
-        .carcass_damping = tire.number("carcass_damping_s", not_negative),
-        .rolling_resistance = tire.number("rolling_resistance", not_negative)};
+    return LinearTireDescription{.radius = tire.number("radius_m", positive),
+                                 .rolling_radius = tire.number("rolling_radius_m", positive),
+                                 .vertical_stiffness = tire.number("vertical_stiffness_N_per_m", positive),
+                                 .vertical_damping = tire.number("vertical_damping_N_s_per_m", not_negative),
+                                 .longitudinal_stiffness = tire.number("longitudinal_stiffness_per_load", positive),
+                                 .cornering_reference = tire.number("cornering_reference_N_per_rad", positive),
+                                 .cornering_load = tire.number("cornering_load_N", positive),
+                                 .friction = tire.number("friction", positive),
+                                 .relaxation_longitudinal = tire.number("relaxation_longitudinal_m", positive),
+                                 .relaxation_lateral = tire.number("relaxation_lateral_m", positive),
+                                 .carcass_damping = tire.number("carcass_damping_s", not_negative),
+                                 .rolling_resistance = tire.number("rolling_resistance", not_negative)};
 }
 
 TireDescription read_spring_tire(const TableReader& tire) {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/io/table_reader.hpp"
-#include "hamilcar/vehicle/description.hpp"
 
 namespace hamilcar::io {
 

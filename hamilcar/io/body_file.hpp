@@ -1,8 +1,8 @@
 // Reads a rigid body: `mass_kg`, `center_of_mass_m`, `inertia_kg_m2`, `products_kg_m2`.
 #pragma once
 
+#include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/io/table_reader.hpp"
-#include "hamilcar/vehicle/description.hpp"
 
 namespace hamilcar::io {
 

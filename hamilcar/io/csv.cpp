@@ -37,7 +37,8 @@ void append_heading(std::string& text, const std::string& name, const std::strin
 class CsvWriter final : public ResultWriter {
 public:
     CsvWriter(const std::string& path, const std::vector<Column>& columns)
-        : path_(path), width_(columns.size()),
+        : path_(path),
+          width_(columns.size()),
           file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
         if (file_ < 0) fail(path_, "open for writing");
         append_heading(pending_, "time", "s");

@@ -9,11 +9,11 @@ namespace hamilcar::io {
 // Exit codes of every command, also the category of an Error.
 enum class ExitCode : int {
     ok = 0,
-    failed = 1,       // a check or run did not meet its criterion
-    usage = 2,        // command line
-    bad_file = 3,     // vehicle or scenario file
-    numerical = 4,    // no assembly, singular linkage, non-finite state
-    input_output = 5, // a path that cannot be read or written, a full disk
+    failed = 1,        // a check or run did not meet its criterion
+    usage = 2,         // command line
+    bad_file = 3,      // vehicle or scenario file
+    numerical = 4,     // no assembly, singular linkage, non-finite state
+    input_output = 5,  // a path that cannot be read or written, a full disk
     interrupted = 130
 };
 

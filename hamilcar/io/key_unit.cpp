@@ -14,9 +14,17 @@ struct UnitWord {
 };
 
 constexpr std::array unit_words{
-    UnitWord{"m", "m"},     UnitWord{"m2", "m^2"}, UnitWord{"m3", "m^3"}, UnitWord{"kg", "kg"},
-    UnitWord{"s", "s"},     UnitWord{"s2", "s^2"}, UnitWord{"N", "N"},    UnitWord{"rad", "rad"},
-    UnitWord{"per", "/"},   UnitWord{"revolution", "revolution"},         UnitWord{"percent", "%", 0.01},
+    UnitWord{"m", "m"},
+    UnitWord{"m2", "m^2"},
+    UnitWord{"m3", "m^3"},
+    UnitWord{"kg", "kg"},
+    UnitWord{"s", "s"},
+    UnitWord{"s2", "s^2"},
+    UnitWord{"N", "N"},
+    UnitWord{"rad", "rad"},
+    UnitWord{"per", "/"},
+    UnitWord{"revolution", "revolution"},
+    UnitWord{"percent", "%", 0.01},
     UnitWord{"deg", "deg", std::numbers::pi / 180},
 };
 

@@ -1,7 +1,7 @@
 // The right side of an axle: the left one seen in the plane y = 0.
 #pragma once
 
-#include "hamilcar/vehicle/description.hpp"
+#include "hamilcar/description/vehicle.hpp"
 
 namespace hamilcar::io {
 

@@ -28,19 +28,23 @@ std::string script(const std::string& path, const Chart& chart) {
     std::string s = "set terminal svg size 900,460 font 'Helvetica,14' background '#ffffff' noenhanced\n";
     s += fmt::format("set output {}\nset title {} font 'Helvetica,16'\n", quoted(path), quoted(chart.title));
     s += fmt::format("set xlabel {}\nset ylabel {}\n", quoted(chart.x_label), quoted(chart.y_label));
-    s += "set grid lc rgb '#dddddd' lw 0.7\nset border 3 lc rgb '#666666'\nset tics nomirror\nset key top left\nset samples 2\n";
+    s += "set grid lc rgb '#dddddd' lw 0.7\nset border 3 lc rgb '#666666'\nset tics nomirror\nset key top left\nset "
+         "samples 2\n";
     s += "set autoscale xfix\nset rmargin 4\nset offsets 0, 0, graph 0.08, graph 0.05\n";
     if (chart.log_y) s += "set logscale y\nset format y '10^{%L}'\nset termoption enhanced\n";
     if (chart.curves.size() == 1) s += "set key off\n";
     for (const auto& [x, label] : chart.vertical_marks) {
         s += fmt::format("set arrow from first {0}, graph 0 to first {0}, graph 1 nohead dt 2 lc rgb '#888888'\n", x);
-        s += fmt::format("set label {} at first {}, graph 0.96 right offset -0.6,0 font 'Helvetica,12' tc rgb '#555555'\n", quoted(label), x);
+        s += fmt::format(
+            "set label {} at first {}, graph 0.96 right offset -0.6,0 font 'Helvetica,12' tc rgb '#555555'\n",
+            quoted(label), x);
     }
     s += "plot ";
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {
         const Curve& curve = chart.curves[i];
-        s += fmt::format("{}'-' with {} lw 2 lc rgb '{}' {} title {}", i ? ", " : "", curve.points ? "linespoints" : "lines",
-                         colors[i % std::size(colors)], curve.points ? "pt 7 ps 0.6" : "", quoted(curve.label));
+        s += fmt::format("{}'-' with {} lw 2 lc rgb '{}' {} title {}", i ? ", " : "",
+                         curve.points ? "linespoints" : "lines", colors[i % std::size(colors)],
+                         curve.points ? "pt 7 ps 0.6" : "", quoted(curve.label));
     }
     s += "\n";
     for (const Curve& curve : chart.curves) {
@@ -71,9 +75,10 @@ void write_chart(const std::string& path, const Chart& chart) {
     constexpr int command_not_found = 127;
     const bool missing = status != -1 && WIFEXITED(status) && WEXITSTATUS(status) == command_not_found;
     std::remove(path.c_str());
-    throw Error(ExitCode::input_output,
-                fmt::format("{}: cannot draw: {}", path, missing ? "gnuplot is not installed (Debian: apt-get install gnuplot-nox)"
-                                                                 : "gnuplot failed"));
+    throw Error(
+        ExitCode::input_output,
+        fmt::format("{}: cannot draw: {}", path,
+                    missing ? "gnuplot is not installed (Debian: apt-get install gnuplot-nox)" : "gnuplot failed"));
 }
 
 }  // namespace hamilcar::io

@@ -26,6 +26,7 @@ public:
 
 // `title` and `source` become global attributes (netCDF) or nothing (CSV: the first row is `name [unit]` headings).
 std::unique_ptr<ResultWriter> open_csv(const std::string& path, const std::vector<Column>& columns);
-std::unique_ptr<ResultWriter> open_netcdf(const std::string& path, const std::vector<Column>& columns, const std::string& title);
+std::unique_ptr<ResultWriter> open_netcdf(const std::string& path, const std::vector<Column>& columns,
+                                          const std::string& title);
 
 }  // namespace hamilcar::io

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "hamilcar/integrator/methods.hpp"
+#include "hamilcar/integrator/stabilization.hpp"
 #include "hamilcar/io/number_text.hpp"
 #include "hamilcar/io/table_reader.hpp"
 
@@ -33,8 +33,8 @@ SolverDescription read_solver(const TableReader& table) {
     solver.tolerance = table.number("tolerance", positive, solver.tolerance);
     solver.constraints = word<ConstraintMode>(table, "constraints", {"exact", ConstraintMode::exact},
                                               {"stabilized", ConstraintMode::stabilized});
-    solver.chart = word<ChassisChart>(table, "chart", {"quaternion", ChassisChart::quaternion},
-                                      {"bryant", ChassisChart::bryant});
+    solver.chart =
+        word<ChassisChart>(table, "chart", {"quaternion", ChassisChart::quaternion}, {"bryant", ChassisChart::bryant});
     if (table.chosen({{"stabilization"}, {"stabilization_gain_per_s"}}) == 0) {
         solver.stabilization = word<StabilizationRule>(table, "stabilization", {"paper", StabilizationRule::paper},
                                                        {"limit", StabilizationRule::limit});
@@ -42,6 +42,12 @@ SolverDescription read_solver(const TableReader& table) {
         solver.stabilization = StabilizationRule::value;
         solver.stabilization_gain = table.number("stabilization_gain_per_s", not_negative);
     }
+    const GainChoice choice = stabilization_gain(solver);
+    const bool by_rule = solver.stabilization != StabilizationRule::value;
+    const std::string_view key = !by_rule                     ? "stabilization_gain_per_s"
+                                 : table.has("stabilization") ? "stabilization"
+                                                              : "integrator";
+    table.expect(choice.expectation.empty(), key, choice.expectation);
     return solver;
 }
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "hamilcar/driver/scenario.hpp"
+#include "hamilcar/description/scenario.hpp"
 
 namespace hamilcar::io {
 

@@ -12,13 +12,17 @@ namespace hamilcar::io {
 
 namespace {
 
-TableValue& as_table(Node& node) { return std::get<TableValue>(node.value); }
+TableValue& as_table(Node& node) {
+    return std::get<TableValue>(node.value);
+}
 
 bool is_known(Node& table, std::string_view key) {
     return std::ranges::find(as_table(table).known, key) != as_table(table).known.end();
 }
 
-std::string at_index(const std::string& path, std::size_t index) { return path + "[" + std::to_string(index) + "]"; }
+std::string at_index(const std::string& path, std::size_t index) {
+    return path + "[" + std::to_string(index) + "]";
+}
 
 // An entry of a list of tables goes by its name, if it has one.
 std::string item_path(const std::string& list, Node& item, std::size_t index) {
@@ -101,9 +105,8 @@ double TableReader::number(std::string_view key, const Range& range, double othe
 bool TableReader::boolean(std::string_view key, bool otherwise) const {
     const Node* node = find(key);
     if (!node) return otherwise;
-    const bool* value = std::get_if<bool>(&node->value);
-    if (!value) reject(*node, full(key), "true or false");
-    return *value;
+    if (!std::holds_alternative<bool>(node->value)) reject(*node, full(key), "true or false");
+    return std::get<bool>(node->value);
 }
 
 std::string TableReader::text(std::string_view key) const {
@@ -241,8 +244,8 @@ void TableReader::finish() const {
         if (!is_known(*node_, entry.key)) {
             const std::string hint = did_you_mean(entry.key, known);
             fail_at(*entry.file, entry.key_begin,
-                    "key '" + path + "' = " + entry.written() + " is unknown: " +
-                        (hint.empty() ? "expected " + quoted_list(known) : hint));
+                    "key '" + path + "' = " + entry.written() +
+                        " is unknown: " + (hint.empty() ? "expected " + quoted_list(known) : hint));
         }
         finish_below(entry, path);
     }

@@ -44,10 +44,16 @@ std::string read_text(const Reference& from) {
     throw Error(ExitCode::input_output, from.place + from.path + ": cannot read: " + std::strerror(errno));
 }
 
-TextPosition position_of(const toml::source_position& at) { return {at.line, at.column}; }
+TextPosition position_of(const toml::source_position& at) {
+    return {at.line, at.column};
+}
 
 Node convert(toml::node& from, const std::shared_ptr<const SourceFile>& file) {
-    Node node{.value = {}, .key = {}, .file = file, .key_begin = {}, .begin = position_of(from.source().begin),
+    Node node{.value = {},
+              .key = {},
+              .file = file,
+              .key_begin = {},
+              .begin = position_of(from.source().begin),
               .end = position_of(from.source().end)};
     if (toml::table* table = from.as_table()) {
         TableValue& value = node.value.emplace<TableValue>();
@@ -87,7 +93,9 @@ const std::string* name_of(Node& item) {
     return name ? std::get_if<std::string>(&name->value) : nullptr;
 }
 
-bool is_list_of_named_tables(ListValue& list) { return std::ranges::all_of(list.items, name_of); }
+bool is_list_of_named_tables(ListValue& list) {
+    return std::ranges::all_of(list.items, name_of);
+}
 
 void lay_over(Node& base, Node top);
 
@@ -118,7 +126,7 @@ void lay_over(Node& base, Node top) {
     if (std::holds_alternative<TableValue>(base.value) && std::holds_alternative<TableValue>(top.value)) {
         lay_over(std::get<TableValue>(base.value), std::get<TableValue>(top.value));
         std::swap(base.value, top.value);
-    } else if (auto *old_list = std::get_if<ListValue>(&base.value), *new_list = std::get_if<ListValue>(&top.value);
+    } else if (auto* old_list = std::get_if<ListValue>(&base.value), *new_list = std::get_if<ListValue>(&top.value);
                old_list && new_list && is_list_of_named_tables(*old_list) && is_list_of_named_tables(*new_list)) {
         lay_over(*old_list, *new_list);
         std::swap(base.value, top.value);

@@ -26,8 +26,8 @@ struct TextPosition {
 struct Node;
 
 struct TableValue {
-    std::vector<Node> entries;        // in the order of the file
-    std::vector<std::string> known;   // keys a reader asked for: whatever else is there is a mistake
+    std::vector<Node> entries;       // in the order of the file
+    std::vector<std::string> known;  // keys a reader asked for: whatever else is there is a mistake
 };
 struct ListValue {
     std::vector<Node> items;

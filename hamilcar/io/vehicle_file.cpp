@@ -9,7 +9,6 @@
 #include "hamilcar/io/body_file.hpp"
 #include "hamilcar/io/mirror.hpp"
 #include "hamilcar/io/number_text.hpp"
-#include "hamilcar/vehicle/vehicle.hpp"
 
 namespace hamilcar::io {
 
@@ -26,6 +25,21 @@ AerodynamicsDescription read_aerodynamics(const std::optional<TableReader>& tabl
     if (!table) return {.drag_area = 0, .air_density = 0, .center = chassis.center_of_mass};
     return {read_drag_area(*table), table->number("air_density_kg_per_m3", not_negative),
             table->array<3>("center_m", chassis.center_of_mass)};
+}
+
+// Points of the left side; each has its mirror image.
+HullDescription read_hull(const std::optional<TableReader>& table) {
+    if (!table) return {};
+    HullDescription hull{.points = {},
+                         .stiffness = table->number("stiffness_N_per_m", positive),
+                         .damping = table->number("damping_s_per_m", not_negative),
+                         .friction = table->number("friction", not_negative)};
+    for (const TableReader& point : table->tables("point")) {
+        const Point left = point.array<3>("at_m");
+        hull.points.push_back(left);
+        hull.points.push_back({left[0], -left[1], left[2]});
+    }
+    return hull;
 }
 
 SteeringDescription read_steering(const std::optional<TableReader>& table) {
@@ -64,6 +78,7 @@ VehicleDescription read_vehicle(const std::string& path) {
                                .corners = {},
                                .anti_roll_bars = {},
                                .aerodynamics = read_aerodynamics(file.optional_table("aerodynamics"), chassis),
+                               .hull = read_hull(file.optional_table("hull")),
                                .steering = read_steering(file.optional_table("steering")),
                                .gravity = file.number("gravity_m_per_s2", not_negative, 9.80665)};
     const NamedTires tires = read_tires(file);

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "hamilcar/vehicle/description.hpp"
+#include "hamilcar/description/vehicle.hpp"
 
 namespace hamilcar::io {
 

@@ -17,7 +17,7 @@ struct Line {
 // A line of force along the unit vector n through the carrier's point p, all in chassis axes.
 template <class T, int nV>
 HAMILCAR_CORE Line<T, nV> line_through(const T& length, const Vec3<T>& p, const Vec3<T>& n, const Matrix<T, 6, nV>& J,
-                         const Spatial<T>& x) {
+                                       const Spatial<T>& x) {
     const Spatial<T> pull = force_at<T>(p, n);
     return {length, J.transpose() * pull, pull.dot(x)};
 }

@@ -34,17 +34,17 @@ struct Coordinates {
 template <class T, int nq, int nV, int nW>
 struct LinkagePosition {
     Pose<T> pose;
-    Matrix<T, 6, nq> B;                    // columns of the tree joints  // (14), (17)
-    Vector<T, nW> Phi;                     // constraint equations  // (25)
-    Matrix<T, 6, nW> G;                    // (g ; P x g), Phi_q = G^T B  // (26), A.3
-    Matrix<T, 3, nW> tips;                 // P of each equation
+    Matrix<T, 6, nq> B;     // columns of the tree joints  // (14), (17)
+    Vector<T, nW> Phi;      // constraint equations  // (25)
+    Matrix<T, 6, nW> G;     // (g ; P x g), Phi_q = G^T B  // (26), A.3
+    Matrix<T, 3, nW> tips;  // P of each equation
     Matrix<T, nW, nW> Phi_w_inverse;
-    T determinant;                         // of Phi_w: zero where the linkage locks
-    Matrix<T, nW, nV> H;                   // (39)
-    Vector<T, nW> X;                       // (39)
-    Matrix<T, 6, nV> J;                    // B_V + B_W H  // (43)
-    Spatial<T> x;                          // B_W X  // (43)
-    LinkagePosition() {}                   // leaves the numbers unset: every one is written by `position`
+    T determinant;        // of Phi_w: zero where the linkage locks
+    Matrix<T, nW, nV> H;  // (39)
+    Vector<T, nW> X;      // (39)
+    Matrix<T, 6, nV> J;   // B_V + B_W H  // (43)
+    Spatial<T> x;         // B_W X  // (43)
+    LinkagePosition() {}  // leaves the numbers unset: every one is written by `position`
 };
 
 // Rates of J and x seen from the chassis.
@@ -205,8 +205,8 @@ private:
         const auto inverted = inverse<T>(Matrix<T, nW, nW>(out.G.transpose() * B_W));
         out.Phi_w_inverse = inverted.matrix;
         out.determinant = inverted.determinant;
-        out.H = -(out.Phi_w_inverse * (out.G.transpose() * B_V));                             // (39)
-        out.X = -(out.Phi_w_inverse * (driven_rate(out, rack) + alpha * out.Phi));            // (39)
+        out.H = -(out.Phi_w_inverse * (out.G.transpose() * B_V));                   // (39)
+        out.X = -(out.Phi_w_inverse * (driven_rate(out, rack) + alpha * out.Phi));  // (39)
         out.J = B_V + B_W * out.H;
         out.x = B_W * out.X;
     }

@@ -7,7 +7,9 @@
 
 namespace hamilcar {
 
-inline Vec3<double> vec3(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
+inline Vec3<double> vec3(const std::array<double, 3>& a) {
+    return {a[0], a[1], a[2]};
+}
 
 template <class T>
 Vec3<T> as(const Vec3<double>& v) {

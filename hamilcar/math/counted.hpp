@@ -9,5 +9,13 @@ struct Eigen::NumTraits<hamilcar::Counted> : Eigen::NumTraits<double> {
     using Real = hamilcar::Counted;
     using NonInteger = hamilcar::Counted;
     using Nested = hamilcar::Counted;
-    enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 1, AddCost = 1, MulCost = 1 };
+    enum {
+        IsComplex = 0,
+        IsInteger = 0,
+        IsSigned = 1,
+        RequireInitialization = 1,
+        ReadCost = 1,
+        AddCost = 1,
+        MulCost = 1
+    };
 };

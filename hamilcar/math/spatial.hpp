@@ -75,7 +75,8 @@ struct Symmetric3 {
     T xx, yy, zz, xy, yz, xz;
 
     HAMILCAR_CORE Vec3<T> operator*(const Vec3<T>& v) const {
-        return {xx * v[0] + xy * v[1] + xz * v[2], xy * v[0] + yy * v[1] + yz * v[2], xz * v[0] + yz * v[1] + zz * v[2]};
+        return {xx * v[0] + xy * v[1] + xz * v[2], xy * v[0] + yy * v[1] + yz * v[2],
+                xz * v[0] + yz * v[1] + zz * v[2]};
     }
     // R S R^T
     HAMILCAR_CORE Symmetric3 rotated(const Mat3<T>& R) const {
@@ -109,8 +110,10 @@ struct SpatialInertia {
     HAMILCAR_CORE static SpatialInertia about_origin(const T& mass, const Vec3<T>& c, const Symmetric3<T>& J) {
         const Vec3<T> mc = mass * c;
         const T mxx = mc[0] * c[0], myy = mc[1] * c[1], mzz = mc[2] * c[2];
-        return {mass, mc, {J.xx + myy + mzz, J.yy + mxx + mzz, J.zz + mxx + myy,  //
-                           J.xy - mc[0] * c[1], J.yz - mc[1] * c[2], J.xz - mc[0] * c[2]}};
+        return {mass,
+                mc,
+                {J.xx + myy + mzz, J.yy + mxx + mzz, J.zz + mxx + myy,  //
+                 J.xy - mc[0] * c[1], J.yz - mc[1] * c[2], J.xz - mc[0] * c[2]}};
     }
 
     HAMILCAR_CORE Spatial<T> operator*(const Spatial<T>& v) const {

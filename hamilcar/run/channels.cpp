@@ -13,13 +13,17 @@ namespace {
 
 constexpr double degree = 180 / std::numbers::pi;
 
-Vec3<double> center_of_mass(const Sample& s) { return s.model.vehicle.chassis.center; }
+Vec3<double> center_of_mass(const Sample& s) {
+    return s.model.vehicle.chassis.center;
+}
 
 // Position of the chassis's center of mass on the ground, the paper's r_1 = (q11, q12, q13).
 Vec3<double> chassis_position(const Sample& s) {
     return Vec3<double>(s.state.position()) + s.velocity.R_GC * center_of_mass(s);
 }
-Vec3<double> chassis_velocity(const Sample& s) { return velocity_at<double>(s.velocity.hub, center_of_mass(s)); }
+Vec3<double> chassis_velocity(const Sample& s) {
+    return velocity_at<double>(s.velocity.hub, center_of_mass(s));
+}
 
 // ISO 8855 angles: yaw about z, pitch about y', roll about x''.
 Vec3<double> roll_pitch_yaw(const Mat3<double>& R) {
@@ -36,36 +40,44 @@ void add_chassis_channels(std::vector<Channel>& list) {
     const char* axes[] = {"x", "y", "z"};
     const char* angles[] = {"roll", "pitch", "yaw"};
     for (int i = 0; i < 3; ++i) {
-        list.push_back({{fmt::format("chassis.position.{}", axes[i]), "m", "center of mass of the chassis, ground axes"},
-                        [i](const Sample& s) { return chassis_position(s)[i]; }, true});
+        list.push_back(
+            {{fmt::format("chassis.position.{}", axes[i]), "m", "center of mass of the chassis, ground axes"},
+             [i](const Sample& s) { return chassis_position(s)[i]; },
+             true});
     }
     for (int i = 0; i < 3; ++i) {
         list.push_back({{fmt::format("chassis.velocity.{}", axes[i]), "m/s", "of that point, ground axes"},
-                        [i](const Sample& s) { return (s.velocity.R_GC * chassis_velocity(s))[i]; }, true});
+                        [i](const Sample& s) { return (s.velocity.R_GC * chassis_velocity(s))[i]; },
+                        true});
     }
     for (int i = 0; i < 3; ++i) {
         list.push_back({{fmt::format("chassis.angle.{}", angles[i]), "deg", "ISO 8855 angle (yaw, pitch, roll)"},
-                        [i](const Sample& s) { return degree * roll_pitch_yaw(s.velocity.R_GC)[i]; }, true});
+                        [i](const Sample& s) { return degree * roll_pitch_yaw(s.velocity.R_GC)[i]; },
+                        true});
     }
     for (int i = 0; i < 3; ++i) {
         list.push_back({{fmt::format("chassis.rate.{}", angles[i]), "deg/s", "angular velocity, vehicle axes"},
-                        [i](const Sample& s) { return degree * s.velocity.hub[3 + i]; }, i == 2});
+                        [i](const Sample& s) { return degree * s.velocity.hub[3 + i]; },
+                        i == 2});
     }
     const char* names[] = {"longitudinal", "lateral", "vertical"};
     for (int i = 0; i < 3; ++i) {
         list.push_back({{fmt::format("chassis.{}_velocity", names[i]), "m/s", "of the center of mass, vehicle axes"},
-                        [i](const Sample& s) { return chassis_velocity(s)[i]; }, i < 2});
+                        [i](const Sample& s) { return chassis_velocity(s)[i]; },
+                        i < 2});
     }
     for (int i = 0; i < 2; ++i) {
         list.push_back({{fmt::format("chassis.{}_acceleration", names[i]), "m/s^2",
                          "horizontal acceleration of the whole car's center of mass, vehicle axes"},
-                        [i](const Sample& s) { return acceleration(s)[i]; }, true});
+                        [i](const Sample& s) { return acceleration(s)[i]; },
+                        true});
     }
     for (int i = 0; i < 3; ++i) {
         list.push_back({{fmt::format("chassis.bryant.{}", i + 1), "deg", fmt::format("the paper's q1{} (1)", i + 4)},
                         [i](const Sample& s) {
                             const Mat3<double>& R = s.velocity.R_GC;
-                            const double q[] = {std::atan2(-R(1, 2), R(2, 2)), std::asin(std::clamp(R(0, 2), -1.0, 1.0)),
+                            const double q[] = {std::atan2(-R(1, 2), R(2, 2)),
+                                                std::asin(std::clamp(R(0, 2), -1.0, 1.0)),
                                                 std::atan2(-R(0, 1), R(0, 0))};
                             return degree * q[i];
                         }});
@@ -76,16 +88,27 @@ void add_car_channels(std::vector<Channel>& list) {
     const auto add = [&](std::string name, std::string unit, std::string what, auto read, bool standard = false) {
         list.push_back({{std::move(name), std::move(unit), std::move(what)}, read, standard});
     };
-    add("input.rack", "m", "rack displacement (q17)", [](const Sample& s) { return s.input.rack.displacement; }, true);
-    add("input.drive_torque", "N m", "at the driven wheels together", [](const Sample& s) { return s.input.drive_torque; }, true);
-    add("input.brake", "1", "brake command", [](const Sample& s) { return s.input.brake; }, true);
-    add("constraints.opening", "m", "largest opening of a cut joint", [](const Sample& s) { return s.violation; }, true);
-    add("constraints.norm", "1", "norm of Phi, the paper's Fig. 9", [](const Sample& s) { return s.constraint_norm; }, true);
+    add(
+        "input.rack", "m", "rack displacement (q17)", [](const Sample& s) { return s.input.rack.displacement; }, true);
+    add(
+        "input.drive_torque", "N m", "at the driven wheels together",
+        [](const Sample& s) { return s.input.drive_torque; }, true);
+    add(
+        "input.brake", "1", "brake command", [](const Sample& s) { return s.input.brake; }, true);
+    add(
+        "constraints.opening", "m", "largest opening of a cut joint", [](const Sample& s) { return s.violation; },
+        true);
+    add(
+        "constraints.norm", "1", "norm of Phi, the paper's Fig. 9", [](const Sample& s) { return s.constraint_norm; },
+        true);
     add("constraints.mobility", "1", "0 where a linkage locks", [](const Sample& s) { return s.mobility; });
     add("energy.kinetic", "J", "of all bodies and wheels", [](const Sample& s) { return s.energy.kinetic; });
-    add("energy.potential", "J", "gravity, springs, bars, stops, tires", [](const Sample& s) { return s.energy.potential; });
-    add("energy.work", "J", "of drive, brakes, dampers, tires, air and rack", [](const Sample& s) { return s.energy.work; });
-    add("energy.balance", "J", "kinetic + potential - drift - work: constant", [](const Sample& s) { return s.energy.balance(); });
+    add("energy.potential", "J", "gravity, springs, bars, stops, tires",
+        [](const Sample& s) { return s.energy.potential; });
+    add("energy.work", "J", "of drive, brakes, dampers, tires, air and rack",
+        [](const Sample& s) { return s.energy.work; });
+    add("energy.balance", "J", "kinetic + potential - drift - work: constant",
+        [](const Sample& s) { return s.energy.balance(); });
 }
 
 double camber(const Vec3<double>& axis, bool left) {
@@ -96,24 +119,36 @@ void add_corner_channels(std::vector<Channel>& list, const CornerDescription& co
     const bool left = corner.wheel.center[1] >= 0;
     const auto add = [&](const char* name, const char* unit, const char* what, auto read, bool standard = false) {
         list.push_back({{corner.name + "." + name, unit, what},
-                        [i, read](const Sample& s) { return read(s, s.momenta.spokes[i].forces); }, standard});
+                        [i, read](const Sample& s) { return read(s, s.momenta.spokes[i].forces); },
+                        standard});
     };
     const auto axis = [i](const Sample& s) {
         return visit_spoke(s.model.vehicle, s.velocity, static_cast<int>(i),
                            [](const auto&, const auto&, const auto& at) { return at.spin_axis; });
     };
     using Forces = SpokeForces<double>;
-    add("wheel.travel", "m", "wheel center against design, up positive", [](const Sample&, const Forces& f) { return f.travel; }, true);
+    add(
+        "wheel.travel", "m", "wheel center against design, up positive",
+        [](const Sample&, const Forces& f) { return f.travel; }, true);
     add("wheel.camber", "deg", "top outboard positive, against the chassis",
         [axis, left](const Sample& s, const Forces&) { return camber(axis(s), left); });
     add("wheel.steer", "deg", "to the left positive, toe included, against the chassis",
         [axis](const Sample& s, const Forces&) { return degree * std::atan2(-axis(s)[0], axis(s)[1]); });
-    add("wheel.spin", "rad/s", "against the carrier", [](const Sample&, const Forces& f) { return f.spin; }, true);
-    add("tire.longitudinal_force", "N", "on the wheel, road axes", [](const Sample&, const Forces& f) { return f.tire.Fx; }, true);
-    add("tire.lateral_force", "N", "on the wheel, road axes", [](const Sample&, const Forces& f) { return f.tire.Fy; }, true);
-    add("tire.vertical_force", "N", "on the wheel, road normal", [](const Sample&, const Forces& f) { return f.tire.Fz; }, true);
-    add("tire.longitudinal_slip_velocity", "m/s", "of the contact", [](const Sample&, const Forces& f) { return f.contact.v_sx; });
-    add("tire.lateral_slip_velocity", "m/s", "of the contact", [](const Sample&, const Forces& f) { return f.contact.v_sy; });
+    add(
+        "wheel.spin", "rad/s", "against the carrier", [](const Sample&, const Forces& f) { return f.spin; }, true);
+    add(
+        "tire.longitudinal_force", "N", "on the wheel, road axes",
+        [](const Sample&, const Forces& f) { return f.tire.Fx; }, true);
+    add(
+        "tire.lateral_force", "N", "on the wheel, road axes", [](const Sample&, const Forces& f) { return f.tire.Fy; },
+        true);
+    add(
+        "tire.vertical_force", "N", "on the wheel, road normal",
+        [](const Sample&, const Forces& f) { return f.tire.Fz; }, true);
+    add("tire.longitudinal_slip_velocity", "m/s", "of the contact",
+        [](const Sample&, const Forces& f) { return f.contact.v_sx; });
+    add("tire.lateral_slip_velocity", "m/s", "of the contact",
+        [](const Sample&, const Forces& f) { return f.contact.v_sy; });
     add("spring.length", "m", "spring or strut", [](const Sample&, const Forces& f) { return f.spring_length; });
     add("spring.force", "N", "compression positive", [](const Sample&, const Forces& f) { return f.spring; });
     add("damper.force", "N", "compression positive", [](const Sample&, const Forces& f) { return f.damper; });
@@ -158,9 +193,10 @@ std::vector<Channel> select_channels(const std::vector<Channel>& all, const std:
         std::vector<std::string_view> known;
         for (const Channel& channel : all) known.push_back(channel.column.name);
         const auto nearest = io::nearest_word(name, known);
-        throw io::Error(io::ExitCode::bad_file,
-                        fmt::format("key 'output.channels': unknown channel \"{}\"{}; 'hamilcar check' lists all channels",
-                                    name, nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : ""));
+        throw io::Error(
+            io::ExitCode::bad_file,
+            fmt::format("key 'output.channels': unknown channel \"{}\"{}; 'hamilcar check' lists all channels", name,
+                        nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : ""));
     }
     return chosen;
 }

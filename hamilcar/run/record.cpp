@@ -30,7 +30,8 @@ RunSummary record(Simulation& simulation, const std::vector<Channel>& channels, 
         last_written = simulation.steps_taken() % every == 0;
         if (!last_written) continue;
         write_row();
-        const double share = static_cast<double>(simulation.steps_taken()) / static_cast<double>(simulation.total_steps());
+        const double share =
+            static_cast<double>(simulation.steps_taken()) / static_cast<double>(simulation.total_steps());
         if (!keep_going(share)) {
             summary.interrupted = true;
             break;

@@ -11,9 +11,9 @@
 namespace hamilcar {
 
 struct RunSummary {
-    double duration = 0;                // simulated time reached [s]
+    double duration = 0;  // simulated time reached [s]
     long steps = 0;
-    double wall_time = 0;               // of stepping and writing [s]
+    double wall_time = 0;                    // of stepping and writing [s]
     std::optional<std::string> ended_early;  // why
     bool interrupted = false;
     double worst_opening = 0;           // of a cut joint, at the samples [m]

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "hamilcar/integrator/stabilization.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/math/convert.hpp"
 
@@ -11,14 +13,14 @@ namespace hamilcar {
 
 namespace {
 
-// Share of the exact limit that StabilizationRule::limit takes: at the limit itself the violation would never decay.
-constexpr double limit_share = 0.7;
 // A cut equation violated this far no longer holds the car together: about 10 mm at a 0.3 m arm [m or m^2].
 constexpr double lost_assembly_violation = 5e-3;
 // A linkage whose det Phi_w has fallen to this share of its design value is about to lock.
 constexpr double locking_mobility = 1e-3;
 
-[[noreturn]] void reject(const std::string& message) { throw io::Error(io::ExitCode::bad_file, message); }
+[[noreturn]] void reject(const std::string& message) {
+    throw io::Error(io::ExitCode::bad_file, message);
+}
 
 const Method& require_method(const SolverDescription& solver) {
     const Method* method = find_method(solver.integrator);
@@ -28,12 +30,34 @@ const Method& require_method(const SolverDescription& solver) {
     reject(fmt::format("key 'solver.integrator' = \"{}\": expected one of {}", solver.integrator, known));
 }
 
+double require_gain(const SolverDescription& solver) {
+    require_method(solver);
+    const GainChoice choice = stabilization_gain(solver);
+    if (choice.expectation.empty()) return choice.gain;
+    reject(fmt::format("key 'solver.stabilization_gain_per_s' = {:g}: expected {}", choice.gain, choice.expectation));
+}
+
 Model<double> make_model(const VehicleDescription& vehicle, const ScenarioDescription& scenario) {
     return {.vehicle = Vehicle<double>(vehicle),
             .road = PlaneRoad<double>(scenario.road.grade, scenario.road.bank, scenario.road.friction),
             .chart = scenario.solver.chart,
             .constraints = scenario.solver.constraints,
-            .stabilization_gain = stabilization_gain(scenario.solver)};
+            .stabilization_gain = require_gain(scenario.solver)};
+}
+
+// The rack ends at its stops; a schedule that asks for more is a mistake, not a wish.
+void check_rack(const ScenarioDescription& scenario, const SteeringDescription& steering) {
+    if (scenario.steering_input == SteeringInput::none || steering.rack_travel <= 0) return;
+    const bool wheel = scenario.steering_input == SteeringInput::steering_wheel;
+    const double scale = wheel ? steering.rack_per_revolution / (2 * std::numbers::pi) : 1.0;
+    for (std::size_t i = 0; i < scenario.steering.value.size(); ++i) {
+        const double rack = scale * scenario.steering.value[i];
+        if (std::abs(rack) <= steering.rack_travel) continue;
+        reject(
+            fmt::format("key 'inputs.{}' at t = {:g} s: the rack would stand at {:.4g}, expected within -{} to {} [m]",
+                        wheel ? "steering_wheel" : "rack", scenario.steering.time[i], rack, steering.rack_travel,
+                        steering.rack_travel));
+    }
 }
 
 // Chassis axes along the road: z the normal, x the heading laid into the plane.
@@ -48,31 +72,6 @@ Mat3<double> heading_on(const PlaneRoad<double>& road, double yaw) {
 
 }  // namespace
 
-double stabilization_gain(const SolverDescription& solver) {
-    if (solver.constraints == ConstraintMode::exact) return 0;
-    const Method& method = require_method(solver);
-    const double limit = method.real_axis_limit / solver.step;
-    switch (solver.stabilization) {
-        case StabilizationRule::paper:
-            if (!method.paper_limit) {
-                reject(fmt::format("key 'solver.stabilization' = \"paper\": the paper's Table 3 has Adams-Bashforth methods "
-                                   "only, not {}; expected \"limit\" or stabilization_gain_per_s", method.name));
-            }
-            return *method.paper_limit / solver.step;  // (36)
-        case StabilizationRule::limit: return limit_share * limit;
-        case StabilizationRule::value: break;
-    }
-    const double gain = solver.stabilization_gain;
-    const bool fixed_step = method.family != MethodFamily::embedded_runge_kutta;
-    if (solver.check_stability && fixed_step && gain >= limit) {
-        reject(fmt::format("key 'solver.stabilization_gain_per_s' = {}: with {} at step {} s expected less than {:.6g} "
-                           "[1/s], or a step below {:.3g} [s] (the method is unstable beyond alpha h = {:.4g})",
-                           gain, method.name, solver.step, limit, method.real_axis_limit / gain,
-                           method.real_axis_limit));
-    }
-    return gain;
-}
-
 Simulation::Simulation(VehicleDescription vehicle, ScenarioDescription scenario)
     : vehicle_(std::move(vehicle)),
       scenario_(std::move(scenario)),
@@ -81,6 +80,7 @@ Simulation::Simulation(VehicleDescription vehicle, ScenarioDescription scenario)
       integrator_(require_method(scenario_.solver), scenario_.solver.step,
                   State<double>::size(model_.vehicle.spoke_count()), scenario_.solver.tolerance),
       total_steps_(std::lround(scenario_.duration / scenario_.solver.step)) {
+    check_rack(scenario_, vehicle_.steering);
     start();
 }
 
@@ -91,9 +91,10 @@ void Simulation::start() {
     const double x = initial.position[0], y = initial.position[1];
     const Vec3<double>& n = model_.road.normal;
     const Vec3<double> foot(x, y, -(n[0] * x + n[1] * y) / n[2]);
-    const Mat3<double> R = initial.settle ? heading
-                                          : Mat3<double>(heading * axis_rotation<double>(Vec3<double>::UnitY(), initial.pitch) *
-                                                         axis_rotation<double>(Vec3<double>::UnitX(), initial.roll));
+    const Mat3<double> R = initial.settle
+                               ? heading
+                               : Mat3<double>(heading * axis_rotation<double>(Vec3<double>::UnitY(), initial.pitch) *
+                                              axis_rotation<double>(Vec3<double>::UnitX(), initial.roll));
     state_ = design_state(model_, foot + n * (initial.settle ? 0 : initial.height), R);
     RackMotion<double> rack;  // closed at the straight-ahead position first, then led to the rack's start
     AssemblyResult assembly = assemble(model_, rack, state_);
@@ -106,21 +107,24 @@ void Simulation::start() {
         const LoopReport& loop = assembly.worst;
         const std::string joint = cut_name(loop);
         if (loop.mobility <= locked_mobility) {
-            throw io::Error(io::ExitCode::numerical,
-                            fmt::format("{}: the linkage is locked: its dependent coordinates cannot follow the "
-                                        "independent ones (mobility {:.1e}, expected above {:.0e}); '{}' misses by {:.3f} mm",
-                                        corner_name(loop.spoke), loop.mobility, locked_mobility, joint, 1e3 * loop.opening));
+            throw io::Error(
+                io::ExitCode::numerical,
+                fmt::format("{}: the linkage is locked: its dependent coordinates cannot follow the "
+                            "independent ones (mobility {:.1e}, expected above {:.0e}); '{}' misses by {:.3f} mm",
+                            corner_name(loop.spoke), loop.mobility, locked_mobility, joint, 1e3 * loop.opening));
         }
-        throw io::Error(io::ExitCode::numerical,
-                        fmt::format("{}: the hardpoints do not assemble: '{}' misses by {:.3f} mm (expected below {:.0e} mm)",
-                                    corner_name(loop.spoke), joint, 1e3 * loop.opening, 1e3 * assembly_tolerance));
+        throw io::Error(
+            io::ExitCode::numerical,
+            fmt::format("{}: the hardpoints do not assemble: '{}' misses by {:.3f} mm (expected below {:.0e} mm)",
+                        corner_name(loop.spoke), joint, 1e3 * loop.opening, 1e3 * assembly_tolerance));
     }
     if (initial.settle) {
         const EquilibriumResult result = settle(model_, input, state_);
         if (!result.found) {
             throw io::Error(io::ExitCode::numerical,
                             fmt::format("the car does not settle on the road: {:.3g} N or N m stay unbalanced; check "
-                                        "springs, tires and masses, or set initial.settle = false", result.residual));
+                                        "springs, tires and masses, or set initial.settle = false",
+                                        result.residual));
         }
     }
     set_velocities(model_, input, spatial<double>(vec3(initial.velocity), vec3(initial.angular_velocity)), state_);
@@ -138,8 +142,8 @@ std::optional<End> Simulation::advance() {
         return std::nullopt;
     }
     state_ = last_good;
-    return End{time(), fmt::format("at t = {:.6g} s: {}; the results end at t = {:.6g} s",
-                                   time() + integrator_.step(), problem, time())};
+    return End{time(), fmt::format("at t = {:.6g} s: {}; the results end at t = {:.6g} s", time() + integrator_.step(),
+                                   problem, time())};
 }
 
 // What is wrong after a step, or nothing: all numbers finite, loops closed, linkages free.
@@ -162,23 +166,31 @@ std::string Simulation::inspect(const Health<double>& health) const {
     if (locks) {
         return fmt::format("the linkage of {} locks: its wheel cannot move further this way", corner_name(worst.spoke));
     }
-    return fmt::format("{} came apart: '{}' stands open by {:.1f} mm", corner_name(worst.spoke),
-                       cut_name(worst), 1e3 * worst.opening);
+    return fmt::format("{} came apart: '{}' stands open by {:.1f} mm", corner_name(worst.spoke), cut_name(worst),
+                       1e3 * worst.opening);
 }
 
 std::string Simulation::cut_name(const LoopReport& loop) const {
     return std::visit(
         [&](const auto& s) {
-            return loop.cut < 0 ? std::string("no joint") : std::string(s.cut_names[static_cast<std::size_t>(loop.cut)]);
+            return loop.cut < 0 ? std::string("no joint")
+                                : std::string(s.cut_names[static_cast<std::size_t>(loop.cut)]);
         },
         model_.vehicle.spokes[static_cast<std::size_t>(loop.spoke)].suspension);
 }
 
 Sample Simulation::sample() const {
     const Input<double> input = schedule_(time());
-    Sample s{.time = time(), .model = model_, .state = state_, .input = input,
-             .velocity = velocity_block(model_, state_, input), .momenta = {}, .energy = {}, .violation = 0,
-             .constraint_norm = 0, .mobility = 1};
+    Sample s{.time = time(),
+             .model = model_,
+             .state = state_,
+             .input = input,
+             .velocity = velocity_block(model_, state_, input),
+             .momenta = {},
+             .energy = {},
+             .violation = 0,
+             .constraint_norm = 0,
+             .mobility = 1};
     s.momenta = momenta_block(model_, state_, input, s.velocity);
     s.energy = energy(model_, state_, s.velocity, s.momenta);
     for (int i = 0; i < model_.vehicle.spoke_count(); ++i) {

@@ -22,9 +22,9 @@ struct Sample {
     Velocity<double> velocity;
     Momenta<double> momenta;
     Energy<double> energy;
-    double violation;          // largest opening of a cut joint [m]
-    double constraint_norm;    // Euclidean norm of all Phi, the paper's Fig. 9
-    double mobility;           // smallest over the spokes: 0 where a linkage locks
+    double violation;        // largest opening of a cut joint [m]
+    double constraint_norm;  // Euclidean norm of all Phi, the paper's Fig. 9
+    double mobility;         // smallest over the spokes: 0 where a linkage locks
 };
 
 // Why a run ended early.
@@ -70,8 +70,5 @@ private:
     long step_count_ = 0, total_steps_ = 0;
     double initial_balance_ = 0;
 };
-
-// alpha for a scenario's rule and method, and the message if it cannot be had.  // (35), (36)
-double stabilization_gain(const SolverDescription& solver);
 
 }  // namespace hamilcar

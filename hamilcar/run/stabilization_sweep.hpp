@@ -8,12 +8,12 @@
 namespace hamilcar {
 
 struct SweepRun {
-    double gain;                      // alpha [1/s]
-    double rms_norm = 0;              // of |Phi| over the run, up to where it ended
+    double gain;          // alpha [1/s]
+    double rms_norm = 0;  // of |Phi| over the run, up to where it ended
     double max_norm = 0;
-    double ended = 0;                 // time reached [s]
+    double ended = 0;  // time reached [s]
     bool blew_up = false;
-    std::vector<double> time, norm;   // every `interval`
+    std::vector<double> time, norm;  // every `interval`
 };
 
 // Runs a scenario in stabilized mode once per gain; gains beyond the stability limit are allowed here and end early.

@@ -9,12 +9,12 @@ namespace hamilcar {
 
 // Floating-point operations by kind since the last reset, on this thread.
 struct OperationCount {
-    std::int64_t additions = 0;        // and subtractions
+    std::int64_t additions = 0;  // and subtractions
     std::int64_t multiplications = 0;
     std::int64_t divisions = 0;
     std::int64_t roots = 0;
-    std::int64_t sines_cosines = 0;    // pairs
-    std::int64_t choices = 0;          // min, max, abs, comparisons
+    std::int64_t sines_cosines = 0;  // pairs
+    std::int64_t choices = 0;        // min, max, abs, comparisons
     std::int64_t total() const { return additions + multiplications + divisions + roots + sines_cosines; }
 };
 
@@ -48,11 +48,21 @@ private:
     double value_ = 0;
 };
 
-inline Counted sqrt(Counted x) { return ++Counted::count().roots, Counted(std::sqrt(x.value())); }
-inline Counted abs(Counted x) { return ++Counted::count().choices, Counted(std::fabs(x.value())); }
-inline Counted min(Counted a, Counted b) { return a < b ? a : b; }
-inline Counted max(Counted a, Counted b) { return a > b ? a : b; }
-inline double value_of(Counted x) { return x.value(); }
+inline Counted sqrt(Counted x) {
+    return ++Counted::count().roots, Counted(std::sqrt(x.value()));
+}
+inline Counted abs(Counted x) {
+    return ++Counted::count().choices, Counted(std::fabs(x.value()));
+}
+inline Counted min(Counted a, Counted b) {
+    return a < b ? a : b;
+}
+inline Counted max(Counted a, Counted b) {
+    return a > b ? a : b;
+}
+inline double value_of(Counted x) {
+    return x.value();
+}
 inline SineCosine<Counted> sincos(Counted angle) {
     ++Counted::count().sines_cosines;
     return {Counted(std::sin(angle.value())), Counted(std::cos(angle.value()))};

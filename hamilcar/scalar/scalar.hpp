@@ -15,10 +15,23 @@ T select(bool condition, const T& yes, const T& no) {
     return condition ? yes : no;
 }
 
-inline double sqrt(double x) { return std::sqrt(x); }
-inline double abs(double x) { return std::fabs(x); }
-inline double min(double a, double b) { return a < b ? a : b; }
-inline double max(double a, double b) { return a > b ? a : b; }
+// Whether a condition holds in any lane: the only question that may skip work.
+inline bool any(bool condition) {
+    return condition;
+}
+
+inline double sqrt(double x) {
+    return std::sqrt(x);
+}
+inline double abs(double x) {
+    return std::fabs(x);
+}
+inline double min(double a, double b) {
+    return a < b ? a : b;
+}
+inline double max(double a, double b) {
+    return a > b ? a : b;
+}
 
 // Sine and cosine of one angle [rad].
 template <class T>
@@ -26,7 +39,9 @@ struct SineCosine {
     T sine, cosine;
 };
 
-inline SineCosine<double> sincos(double angle) { return {std::sin(angle), std::cos(angle)}; }
+inline SineCosine<double> sincos(double angle) {
+    return {std::sin(angle), std::cos(angle)};
+}
 
 // min(max(x, low), high); `low` wins nothing when the bounds cross, so keep low <= high.
 template <class T>
@@ -35,6 +50,8 @@ T clamp(const T& x, const T& low, const T& high) {
 }
 
 // The plain number behind a scalar, for decisions outside a step.
-inline double value_of(double x) { return x; }
+inline double value_of(double x) {
+    return x;
+}
 
 }  // namespace hamilcar

@@ -3,10 +3,10 @@
 // the wheel's travel over the whole stroke, while the three angles of the ball follow from the three cut equations.
 #pragma once
 
+#include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/linkage/line.hpp"
 #include "hamilcar/linkage/linkage.hpp"
 #include "hamilcar/math/convert.hpp"
-#include "hamilcar/vehicle/description.hpp"
 
 namespace hamilcar {
 
@@ -17,9 +17,9 @@ struct MacPherson {
                                                                       "strut length"};
     static constexpr std::array<std::string_view, 2> cut_names{"control arm", "tie rod"};
     // q1, q2, q3 dependent, q4 independent (paper, section 3.3)
-    using Linkage = hamilcar::Linkage<T, std::tuple<BryantSpherical<T>, Prismatic<T>>,
-                                      std::tuple<RevoluteSpherical<T>, Distance<T>>, Coordinates<3>,
-                                      Coordinates<0, 1, 2>>;
+    using Linkage =
+        hamilcar::Linkage<T, std::tuple<BryantSpherical<T>, Prismatic<T>>,
+                          std::tuple<RevoluteSpherical<T>, Distance<T>>, Coordinates<3>, Coordinates<0, 1, 2>>;
     Linkage linkage;
     CoordinateLine<T, 0> spring_line, damper_line;
     std::array<double, 1> design{};  // independent coordinates at design: the strut length [m]

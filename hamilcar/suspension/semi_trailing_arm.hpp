@@ -2,10 +2,10 @@
 // coordinate, positive in jounce.
 #pragma once
 
+#include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/linkage/line.hpp"
 #include "hamilcar/linkage/linkage.hpp"
 #include "hamilcar/math/convert.hpp"
-#include "hamilcar/vehicle/description.hpp"
 
 namespace hamilcar {
 

@@ -40,15 +40,16 @@ struct Deflection {
 // Geometry of a disc on a plane.
 template <class T>
 struct ContactFrame {
-    Vec3<T> lowest;                     // P0 [m]
-    Vec3<T> point;                      // P, on the road [m]
+    Vec3<T> lowest;  // P0 [m]
+    Vec3<T> point;   // P, on the road [m]
     Vec3<T> longitudinal, lateral, normal;
-    T depth;                            // [m]
-    T lever;                            // r: of a longitudinal force about the spin axis [m]
+    T depth;  // [m]
+    T lever;  // r: of a longitudinal force about the spin axis [m]
 };
 
 template <class T>
-HAMILCAR_CORE ContactFrame<T> contact_frame(const RoadPlane<T>& road, const Vec3<T>& center, const Vec3<T>& axis, const T& radius) {
+HAMILCAR_CORE ContactFrame<T> contact_frame(const RoadPlane<T>& road, const Vec3<T>& center, const Vec3<T>& axis,
+                                            const T& radius) {
     const Vec3<T>& n = road.normal;
     const T s = n.dot(axis);
     const T c = sqrt(max(T(1) - s * s, T(1e-6)));  // a wheel lying flat keeps a direction

@@ -2,9 +2,9 @@
 // are states, so force is a smooth function of time at every speed and a standing car stands (docs/models/forces.md).
 #pragma once
 
+#include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/scalar/scalar.hpp"
 #include "hamilcar/tire/contact.hpp"
-#include "hamilcar/vehicle/description.hpp"
 
 namespace hamilcar {
 
@@ -26,11 +26,18 @@ struct LinearTire {
     T rolling_resistance;
 
     explicit LinearTire(const LinearTireDescription& d)
-        : radius(d.radius), rolling_radius(d.rolling_radius), stiffness(d.vertical_stiffness),
-          damping(d.vertical_damping), slip_stiffness(d.longitudinal_stiffness),
-          cornering_at_zero(2 * d.cornering_reference / d.cornering_load), load_scale(1 / d.cornering_load),
-          friction(d.friction), curvature_x(1 / d.relaxation_longitudinal), curvature_y(1 / d.relaxation_lateral),
-          carcass_damping(d.carcass_damping), rolling_resistance(d.rolling_resistance) {}
+        : radius(d.radius),
+          rolling_radius(d.rolling_radius),
+          stiffness(d.vertical_stiffness),
+          damping(d.vertical_damping),
+          slip_stiffness(d.longitudinal_stiffness),
+          cornering_at_zero(2 * d.cornering_reference / d.cornering_load),
+          load_scale(1 / d.cornering_load),
+          friction(d.friction),
+          curvature_x(1 / d.relaxation_longitudinal),
+          curvature_y(1 / d.relaxation_lateral),
+          carcass_damping(d.carcass_damping),
+          rolling_resistance(d.rolling_resistance) {}
 
     TireForce<T> force(const TireContact<T>& c) const {
         const T elastic = stiffness * max(c.depth, T(0));

@@ -1,9 +1,9 @@
 // A frictionless vertical spring that pulls as well as it pushes: no limit, no loss. For ride and energy studies.
 #pragma once
 
+#include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/scalar/scalar.hpp"
 #include "hamilcar/tire/contact.hpp"
-#include "hamilcar/vehicle/description.hpp"
 
 namespace hamilcar {
 
@@ -18,7 +18,8 @@ struct SpringTire {
 
     TireForce<T> force(const TireContact<T>& c) const {
         const T Fz = stiffness * c.depth;
-        return {.Fx = T(0), .Fy = T(0), .Fz = Fz, .elastic = Fz, .rolling_moment = T(0), .u_rate = T(0), .v_rate = T(0)};
+        return {
+            .Fx = T(0), .Fy = T(0), .Fz = Fz, .elastic = Fz, .rolling_moment = T(0), .u_rate = T(0), .v_rate = T(0)};
     }
     T potential(const T& depth) const { return T(0.5) * stiffness * depth * depth; }
     Deflection<T> holding(const T&, const T&, const T&) const { return {T(0), T(0)}; }

@@ -10,7 +10,8 @@ namespace hamilcar {
 
 template <class T>
 RigidBody<T> make_body(const BodyDescription& d) {
-    return {T(d.mass), as<T>(vec3(d.center_of_mass)),
+    return {T(d.mass),
+            as<T>(vec3(d.center_of_mass)),
             {T(d.inertia[0]), T(d.inertia[1]), T(d.inertia[2]), T(d.products[0]), T(d.products[1]), T(d.products[2])}};
 }
 
@@ -33,17 +34,18 @@ template <class T>
 Spoke<T> make_spoke(const CornerDescription& d) {
     const Suspension<T> suspension = make_suspension<T>(d.suspension);
     const auto design = std::visit([](const auto& s) { return design_figures<T>(s); }, suspension);
-    return {.suspension = suspension,
-            .carrier = make_body<T>(d.carrier),
-            .wheel = {as<T>(vec3(d.wheel.center)), as<T>(vec3(d.wheel.spin_axis).normalized()), T(d.wheel.spin_inertia)},
-            .spring = {T(d.spring.rate), T(d.spring.force_at_design), design.spring_length},
-            .damper = Damper<T>(d.damper),
-            .bump = {T(d.bump.gap), T(d.bump.rate), T(d.bump.progression)},
-            .rebound = {T(d.rebound.gap), T(d.rebound.rate), T(d.rebound.progression)},
-            .tire = make_tire<T>(d.tire),
-            .brake = {T(d.brake.max_torque), T(d.brake.windup_stiffness), T(d.brake.windup_damping)},
-            .drive_share = T(d.drive_share),
-            .inverse_design_determinant = T(1) / design.determinant};
+    return {
+        .suspension = suspension,
+        .carrier = make_body<T>(d.carrier),
+        .wheel = {as<T>(vec3(d.wheel.center)), as<T>(vec3(d.wheel.spin_axis).normalized()), T(d.wheel.spin_inertia)},
+        .spring = {T(d.spring.rate), T(d.spring.force_at_design), design.spring_length},
+        .damper = Damper<T>(d.damper),
+        .bump = {T(d.bump.gap), T(d.bump.rate), T(d.bump.progression)},
+        .rebound = {T(d.rebound.gap), T(d.rebound.rate), T(d.rebound.progression)},
+        .tire = make_tire<T>(d.tire),
+        .brake = {T(d.brake.max_torque), T(d.brake.windup_stiffness), T(d.brake.windup_damping)},
+        .drive_share = T(d.drive_share),
+        .inverse_design_determinant = T(1) / design.determinant};
 }
 
 template <class T>
@@ -51,6 +53,7 @@ Vehicle<T>::Vehicle(const VehicleDescription& d)
     : chassis(make_body<T>(d.chassis)),
       chassis_inertia(SpatialInertia<T>::about_origin(chassis.mass, chassis.center, chassis.inertia)),
       aerodynamics{T(0.5 * d.aerodynamics.air_density * d.aerodynamics.drag_area), as<T>(vec3(d.aerodynamics.center))},
+      hull(d.hull),
       gravity(d.gravity),
       total_mass(chassis.mass) {
     if (d.corners.size() > std::size_t{max_spokes}) throw std::length_error("a vehicle has at most 12 spokes");

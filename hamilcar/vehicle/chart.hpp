@@ -66,8 +66,8 @@ struct BryantChart {
         const auto& [s1, c1] = q.x;
         const auto& [s2, c2] = q.y;
         Mat3<T> D_rate;
-        D_rate << T(0), T(0), c2 * rate[1],                                    //
-            T(0), -s1 * rate[0], s1 * s2 * rate[1] - c1 * c2 * rate[0],        //
+        D_rate << T(0), T(0), c2 * rate[1],                              //
+            T(0), -s1 * rate[0], s1 * s2 * rate[1] - c1 * c2 * rate[0],  //
             T(0), c1 * rate[0], -s1 * c2 * rate[0] - c1 * s2 * rate[1];
         const Mat3<T> D = bryant_rate_matrix(q);
         return spatial<T>(linear(rates.momentum_rate), D.transpose() * L_rate + D_rate.transpose() * L);

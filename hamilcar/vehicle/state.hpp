@@ -16,9 +16,9 @@ namespace hamilcar {
 template <class Number>
 struct SpokeState {
     Number *independent, *dependent, *momentum;  // V [m, rad], W [rad], P_V
-    Number &spin_momentum;                       // p_s [kg m^2/s]
+    Number& spin_momentum;                       // p_s [kg m^2/s]
     Number &deflection_x, &deflection_y;         // u, v [m]
-    Number &brake_windup;                        // b [rad]
+    Number& brake_windup;                        // b [rad]
 };
 
 template <class T>

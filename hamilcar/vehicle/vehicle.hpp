@@ -7,12 +7,11 @@
 
 #include "hamilcar/driveline/brake.hpp"
 #include "hamilcar/force/axial.hpp"
+#include "hamilcar/force/hull.hpp"
 #include "hamilcar/suspension/list.hpp"
 #include "hamilcar/tire/list.hpp"
 
 namespace hamilcar {
-
-inline constexpr int max_spokes = 12;
 
 // A wheel turns about an axis of its carrier; only its spin inertia is its own, the rest counts with the carrier.
 template <class T>
@@ -54,6 +53,7 @@ struct Vehicle {
     std::vector<Spoke<T>> spokes;
     std::vector<AntiRollBar<T>> anti_roll_bars;
     Aerodynamics<T> aerodynamics;
+    Hull<T> hull;
     T gravity;     // [m/s^2]
     T total_mass;  // [kg]
 

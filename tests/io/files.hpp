@@ -17,7 +17,9 @@
 
 namespace hamilcar::io {
 
-inline std::string repository_path(const std::string& path) { return std::string(HAMILCAR_SOURCE_DIR) + "/" + path; }
+inline std::string repository_path(const std::string& path) {
+    return std::string(HAMILCAR_SOURCE_DIR) + "/" + path;
+}
 
 inline std::string read_file(const std::string& path) {
     std::ostringstream text;

@@ -256,8 +256,11 @@ TEST(Netcdf, LeavesAloneWhatIsNoRegularFile) {
 
 TEST(Netcdf, RefusesANameTheFormatCannotHold) {
     const TemporaryFolder folder;
-    expect_error([&] { open_netcdf(folder / "r.nc", {{"a/b", "m", ""}}, ""); }, ExitCode::input_output,
-                 {"cannot define a/b"});
+    expect_error(
+        [&] {
+            open_netcdf(folder / "r.nc", {{"a/b", "m", ""}}, "");
+        },
+        ExitCode::input_output, {"cannot define a/b"});
     EXPECT_FALSE(std::filesystem::exists(folder / "r.nc"));
 }
 

@@ -30,8 +30,8 @@ SimTK::SymMat33 inertia_about_own_center(const BodyDescription& body) {
 
 // scale (|a|^2 1 - a a^T): of a point mass at `a`; for a unit vector, `scale` about every axis across it.
 SimTK::SymMat33 across(double scale, const Vec3& a) {
-    return scale * (SimTK::SymMat33(a.normSqr()) - SimTK::SymMat33(a[0] * a[0], a[0] * a[1], a[1] * a[1], a[0] * a[2],
-                                                                   a[1] * a[2], a[2] * a[2]));
+    return scale * (SimTK::SymMat33(a.normSqr()) -
+                    SimTK::SymMat33(a[0] * a[0], a[0] * a[1], a[1] * a[1], a[0] * a[2], a[1] * a[2], a[2] * a[2]));
 }
 
 SimTK::MassProperties chassis_mass(const BodyDescription& body) {

@@ -46,8 +46,7 @@ struct SimbodyCar::Engine {
 };
 
 SimbodyCar::Engine::Engine(const VehicleDescription& description, const Road& road)
-    : parts{description, road, {}, {}, {}},
-      gravity(forces, matter, -SimTK::ZAxis, description.gravity) {
+    : parts{description, road, {}, {}, {}}, gravity(forces, matter, -SimTK::ZAxis, description.gravity) {
     add_bodies(parts, matter.Ground());
     SimTK::Force::Custom(forces, make_forces(parts, forces));
     state = system.realizeTopology();
@@ -61,8 +60,7 @@ void SimbodyCar::Engine::set_corner(std::size_t i, const Corner& values) {
         const Linkage linkage(corner);
         const Transform pose = spindle_pose(linkage, values.independent, parts.inputs.rack);
         bodies.carrier.setQToFitTransform(state, Transform(pose.R(), pose.p() - linkage.wheel_center));
-        bodies.carrier.setUToFitVelocity(
-            state, spindle_twist(linkage, pose, values.independent_rate, parts.inputs));
+        bodies.carrier.setUToFitVelocity(state, spindle_twist(linkage, pose, values.independent_rate, parts.inputs));
     } else {
         bodies.carrier.setOneQ(state, 0, values.independent);
         bodies.carrier.setOneU(state, 0, values.independent_rate);

@@ -5,7 +5,7 @@
 // page.
 #pragma once
 
-#include "hamilcar/vehicle/description.hpp"
+#include "hamilcar/description/vehicle.hpp"
 
 #include <array>
 #include <functional>

@@ -21,7 +21,9 @@ namespace hamilcar::oracle {
 
 using Loads = SimTK::Vector_<SimTK::SpatialVec>;  // moment about the body's origin and force in ground axes, per body
 
-inline SimTK::Vec3 to_vec3(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
+inline SimTK::Vec3 to_vec3(const std::array<double, 3>& a) {
+    return {a[0], a[1], a[2]};
+}
 
 struct CornerParts {
     SimTK::MobilizedBody carrier;

@@ -42,10 +42,12 @@ Gap gap_between(const Simulation& simulation, const oracle::SimbodyCar& simbody)
     const auto theirs = simbody.state();
     const auto ours = as_seen_by_simbody(simulation);
     const Vec3<double> a(ours.position.data()), b(theirs.position.data());
-    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> A(ours.rotation.data()), B(theirs.rotation.data());
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> A(ours.rotation.data()),
+        B(theirs.rotation.data());
     // The rotation between two close orientations: the skew part of A^T B.
     const Mat3<double> between = A.transpose() * B;
-    const Vec3<double> angle(between(2, 1) - between(1, 2), between(0, 2) - between(2, 0), between(1, 0) - between(0, 1));
+    const Vec3<double> angle(between(2, 1) - between(1, 2), between(0, 2) - between(2, 0),
+                             between(1, 0) - between(0, 1));
     return {(a - b).norm(), 0.5 * angle.norm()};
 }
 

@@ -23,8 +23,7 @@ struct Contact {
 };
 
 Contact find_contact(const Parts& parts, const State& state, std::size_t i) {
-    const double radius =
-        std::visit([](const auto& tire) { return tire.radius; }, parts.description.corners[i].tire);
+    const double radius = std::visit([](const auto& tire) { return tire.radius; }, parts.description.corners[i].tire);
     const Vec3 center = parts.corners[i].carrier.getBodyOriginLocation(state);
     Contact result;
     result.normal = Vec3(UnitVec3(-parts.road.grade, -parts.road.bank, 1));

@@ -13,7 +13,7 @@
 #include <Eigen/Dense>
 #include <array>
 
-#include "hamilcar/vehicle/description.hpp"
+#include "hamilcar/description/vehicle.hpp"
 #include "paper/literal_rotation.hpp"
 
 namespace hamilcar::paper {
@@ -67,11 +67,11 @@ struct Arm {
 
 // What A.3 is made of for one spindle, in inertial axes; the same fields hold the time derivatives.
 struct CutJoints {
-    Matrix3 A_D;        // A_2 D_2
-    Vector3 h;          // h_21
-    Vector3 u_2, u_1;   // control arm axis, rack axis
-    Vector3 d_2, d_3;   // (22), (24)
-    Vector3 p_2, p_3;   // from the strut top to the ball joint, to the tie rod outer end
+    Matrix3 A_D;       // A_2 D_2
+    Vector3 h;         // h_21
+    Vector3 u_2, u_1;  // control arm axis, rack axis
+    Vector3 d_2, d_3;  // (22), (24)
+    Vector3 p_2, p_3;  // from the strut top to the ball joint, to the tie rod outer end
 };
 
 class LiteralCar {
@@ -84,44 +84,44 @@ public:
     Coordinates moved(Coordinates q, const Vector& qdot, double time) const;  // q + qdot time, the rack included
 
     // Section 2. B_j is the block of body j (6 x 6, 4, 4, 1, 1).
-    std::array<Pose, 5> poses(const Coordinates& q) const;                             // (1), (3)-(8)
-    std::array<Twist, 5> twists(const Coordinates& q, const Vector& qdot) const;       // (9), (12), (13), (15), (16)
-    Matrix B_j(int body, const Coordinates& q) const;                                  // A.2
+    std::array<Pose, 5> poses(const Coordinates& q) const;                        // (1), (3)-(8)
+    std::array<Twist, 5> twists(const Coordinates& q, const Vector& qdot) const;  // (9), (12), (13), (15), (16)
+    Matrix B_j(int body, const Coordinates& q) const;                             // A.2
     Matrix B_j_dot(int body, const Coordinates& q, const Vector& qdot) const;
-    Matrix B(const Coordinates& q) const;                                              // 30 x 16, (18)
+    Matrix B(const Coordinates& q) const;  // 30 x 16, (18)
     Matrix B_dot(const Coordinates& q, const Vector& qdot) const;
 
     // Section 3. Rows of Phi as in (25); columns of Phi_q are q1 q2 q3 q4 | q5 q6 q7 q8.
-    Vector Phi(const Coordinates& q) const;                                            // 6, (25)
-    Matrix Phi_q(const Coordinates& q) const;                                          // 6 x 8, A.3
+    Vector Phi(const Coordinates& q) const;    // 6, (25)
+    Matrix Phi_q(const Coordinates& q) const;  // 6 x 8, A.3
     Matrix Phi_q_dot(const Coordinates& q, const Vector& qdot) const;
-    Vector Phi_t(const Coordinates& q) const;                                          // 6, (28)
-    Matrix H(const Coordinates& q) const;                                              // 6 x 4, (39)
-    Vector X(const Coordinates& q) const;                                              // 6, (39)
-    Matrix H_dot(const Coordinates& q, const Vector& qdot) const;                      // 6 x 4, (47)
-    Matrix H_underlined(const Coordinates& q) const;                                   // 16 x 10, (41)
-    Vector X_underlined(const Coordinates& q) const;                                   // 16, (41)
-    Vector qdot(const Coordinates& q, const Vector& adot) const;                       // 16, (40)
-    Matrix BH(const Coordinates& q) const;                                             // 30 x 10, (43)
-    Vector BX(const Coordinates& q) const;                                             // 30, (43)
+    Vector Phi_t(const Coordinates& q) const;                      // 6, (28)
+    Matrix H(const Coordinates& q) const;                          // 6 x 4, (39)
+    Vector X(const Coordinates& q) const;                          // 6, (39)
+    Matrix H_dot(const Coordinates& q, const Vector& qdot) const;  // 6 x 4, (47)
+    Matrix H_underlined(const Coordinates& q) const;               // 16 x 10, (41)
+    Vector X_underlined(const Coordinates& q) const;               // 16, (41)
+    Vector qdot(const Coordinates& q, const Vector& adot) const;   // 16, (40)
+    Matrix BH(const Coordinates& q) const;                         // 30 x 10, (43)
+    Vector BX(const Coordinates& q) const;                         // 30, (43)
 
     // Section 4.
-    Matrix Mhat(const Coordinates& q) const;                                           // 30 x 30, DI^T M DI
-    Matrix M_star(const Coordinates& q) const;                                         // 16 x 16, A.4
-    Matrix M_star_star(const Coordinates& q) const;                                    // 10 x 10, A.5
-    Vector X_star_star(const Coordinates& q) const;                                    // 10, A.5
-    Vector P_a(const Coordinates& q, const Vector& adot, const Rotors& p_s = {}) const;    // (57)
-    Vector adot(const Coordinates& q, const Vector& P_a, const Rotors& p_s = {}) const;    // (58)
+    Matrix Mhat(const Coordinates& q) const;                                             // 30 x 30, DI^T M DI
+    Matrix M_star(const Coordinates& q) const;                                           // 16 x 16, A.4
+    Matrix M_star_star(const Coordinates& q) const;                                      // 10 x 10, A.5
+    Vector X_star_star(const Coordinates& q) const;                                      // 10, A.5
+    Vector P_a(const Coordinates& q, const Vector& adot, const Rotors& p_s = {}) const;  // (57)
+    Vector adot(const Coordinates& q, const Vector& P_a, const Rotors& p_s = {}) const;  // (58)
 
     // Section 5. DI turns a state-space vector into velocities of the centers of mass: the inverse of (10).
-    Matrix DI(const Coordinates& q) const;                                             // 30 x 30
+    Matrix DI(const Coordinates& q) const;  // 30 x 30
     Matrix DI_dot(const Coordinates& q, const Vector& qdot) const;
-    Matrix M(const Coordinates& q) const;                                              // 30 x 30, (62)
-    Vector M_dot_Y(const Coordinates& q, const Vector& Y) const;                       // 30, (62)
-    Vector rotor_momentum(const Coordinates& q, const Rotors& p_s) const;              // 30, (0; e p_s) per body
-    Matrix DI_BH_dot(const Coordinates& q, const Vector& adot) const;                  // 30 x 10, in (71)
+    Matrix M(const Coordinates& q) const;                                  // 30 x 30, (62)
+    Vector M_dot_Y(const Coordinates& q, const Vector& Y) const;           // 30, (62)
+    Vector rotor_momentum(const Coordinates& q, const Rotors& p_s) const;  // 30, (0; e p_s) per body
+    Matrix DI_BH_dot(const Coordinates& q, const Vector& adot) const;      // 30 x 10, in (71)
     Vector P_a_dot(const Coordinates& q, const Vector& adot, const Vector& Qhat, const Rotors& p_s = {}) const;  // (71)
-    Vector gravity(const Coordinates& q) const;                                        // Qhat of the weights, (55)
+    Vector gravity(const Coordinates& q) const;  // Qhat of the weights, (55)
 
     const Body& body(int j) const { return bodies_[static_cast<std::size_t>(j - 1)]; }
 

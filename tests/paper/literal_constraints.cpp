@@ -17,7 +17,9 @@ Matrix point_jacobian_dot(const Vector3& p, const Vector3& p_dot, const CutJoint
     return G_dot;
 }
 
-Matrix columns_of_W(const Matrix& Phi_q) { return Phi_q(Eigen::all, {0, 1, 2, 4, 5, 6}); }
+Matrix columns_of_W(const Matrix& Phi_q) {
+    return Phi_q(Eigen::all, {0, 1, 2, 4, 5, 6});
+}
 
 // The arms' angles q9, q10 are in V but in no cut joint.
 Matrix columns_of_V(const Matrix& Phi_q) {
@@ -159,9 +161,13 @@ Vector LiteralCar::qdot(const Coordinates& q, const Vector& adot) const {
     return H_underlined(q) * adot + X_underlined(q);  // (38), (40)
 }
 
-Matrix LiteralCar::BH(const Coordinates& q) const { return B(q) * H_underlined(q); }  // (43)
+Matrix LiteralCar::BH(const Coordinates& q) const {
+    return B(q) * H_underlined(q);
+}  // (43)
 
-Vector LiteralCar::BX(const Coordinates& q) const { return B(q) * X_underlined(q); }  // (43)
+Vector LiteralCar::BX(const Coordinates& q) const {
+    return B(q) * X_underlined(q);
+}  // (43)
 
 Matrix LiteralCar::DI_BH_dot(const Coordinates& q, const Vector& adot) const {
     const Vector qdot = this->qdot(q, adot);

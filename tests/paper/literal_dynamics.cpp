@@ -81,8 +81,8 @@ Matrix LiteralCar::M_star_star(const Coordinates& q) const {
         const Eigen::Index row = column_of_body[static_cast<std::size_t>(j - 1)], at = 4 + j;
         const Vector H_prime = H_underlined.block(row, at, B_j.cols(), 1);  // H_1', H_2' of (43), or 1 for an arm
         const Vector B_H = B_j * H_prime;
-        M_star_star.block<6, 1>(0, at) = B_1.transpose() * Mhat_j * B_H;              // A.5
-        M_star_star.block<1, 6>(at, 0) = B_H.transpose() * Mhat_j * B_1;              // A.5, the transpose
+        M_star_star.block<6, 1>(0, at) = B_1.transpose() * Mhat_j * B_H;                         // A.5
+        M_star_star.block<1, 6>(at, 0) = B_H.transpose() * Mhat_j * B_1;                         // A.5, the transpose
         M_star_star.block<1, 1>(at, at) = H_prime.transpose() * B_j.transpose() * Mhat_j * B_H;  // A.5
     }
     return M_star_star;
@@ -123,7 +123,7 @@ Vector LiteralCar::adot(const Coordinates& q, const Vector& P_a, const Rotors& p
 }
 
 Vector LiteralCar::P_a_dot(const Coordinates& q, const Vector& adot, const Vector& Qhat, const Rotors& p_s) const {
-    const Vector Y = DI(q) * (BH(q) * adot + BX(q));                          // (42)
+    const Vector Y = DI(q) * (BH(q) * adot + BX(q));  // (42)
     const Vector momentum = M(q) * Y + rotor_momentum(q, p_s);
     return BH(q).transpose() * Qhat + DI_BH_dot(q, adot).transpose() * momentum;  // (71)
 }

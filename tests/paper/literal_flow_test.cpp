@@ -70,9 +70,7 @@ protected:
         return E;
     }
 
-    State start(const LiteralCar& car, Coordinates q) const {
-        return {q, car.P_a(q, general_rates(), p_s)};
-    }
+    State start(const LiteralCar& car, Coordinates q) const { return {q, car.P_a(q, general_rates(), p_s)}; }
 };
 
 double total_mass(const LiteralCar& car) {
@@ -89,11 +87,11 @@ TEST_F(Flow, SolvesTheProjectedNewtonEulerEquations) {
     const auto Y = [&](double t) { return Vector(stabilized.DI(at(t).q) * Yhat(stabilized, at(t))); };
     const auto rotors = [&](double t) { return stabilized.rotor_momentum(at(t).q, p_s); };
     const Vector Q = stabilized.DI(q).inverse().transpose() * stabilized.gravity(q);
-    const Vector residual = stabilized.M(q) * derivative(Y, 1e-3) + stabilized.M_dot_Y(q, Y(0)) +
-                            derivative(rotors, 1e-3) - Q;
+    const Vector residual =
+        stabilized.M(q) * derivative(Y, 1e-3) + stabilized.M_dot_Y(q, Y(0)) + derivative(rotors, 1e-3) - Q;
     const Matrix DI_BH = stabilized.DI(q) * stabilized.BH(q);
-    EXPECT_GT(residual.cwiseAbs().maxCoeff(), 100);                            // the joints do carry forces
-    EXPECT_LT((DI_BH.transpose() * residual).cwiseAbs().maxCoeff(), 1e-5);     // (65)
+    EXPECT_GT(residual.cwiseAbs().maxCoeff(), 100);                         // the joints do carry forces
+    EXPECT_LT((DI_BH.transpose() * residual).cwiseAbs().maxCoeff(), 1e-5);  // (65)
 }
 
 TEST_F(Flow, MomentumRateInFreeFallIsTheWeight) {
@@ -138,9 +136,7 @@ TEST_F(Flow, EnergyIdentityWithDrift) {
     const State s = start(stabilized, violated_position(stabilized));
     const auto at = [&](double t) { return step(stabilized, s, t); };
     const auto x = [&](double t) { return stabilized.BX(at(t).q); };
-    const auto balance = [&](double t) {
-        return energy(stabilized, at(t)) - x(t).dot(momentum(stabilized, at(t)));
-    };
+    const auto balance = [&](double t) { return energy(stabilized, at(t)) - x(t).dot(momentum(stabilized, at(t))); };
     const Vector x_dot = derivative(x, 2e-4);
     const double expected = -x(0).dot(stabilized.gravity(s.q)) - x_dot.dot(momentum(stabilized, s));
     const double rate_of_energy = scalar_derivative([&](double t) { return energy(stabilized, at(t)); }, 2e-4);

@@ -5,8 +5,12 @@ namespace hamilcar::paper {
 namespace {
 
 // First coordinate of a spindle (q1 or q5) and its row in qdot.
-int first_angle(int spindle) { return spindle == 2 ? 1 : 5; }
-int first_row(int body) { return column_of_body[static_cast<std::size_t>(body - 1)]; }
+int first_angle(int spindle) {
+    return spindle == 2 ? 1 : 5;
+}
+int first_row(int body) {
+    return column_of_body[static_cast<std::size_t>(body - 1)];
+}
 
 }  // namespace
 
@@ -18,17 +22,17 @@ std::array<Pose, 5> LiteralCar::poses(const Coordinates& q) const {
     for (const int j : {2, 3}) {
         const Strut& c = strut(j);
         const int i = first_angle(j);
-        const Matrix3 A_21 = A_x(q(i)) * A_y(q(i + 1)) * A_z(q(i + 2));             // (5), A.1
-        const Matrix3 A_2 = A_1 * A_21.transpose();                                 // (6)
-        const Vector3 d_21_1 = A_2 * c.h_21 * q(i + 3);                             // (8)
-        const Vector3 r_2 = r_1 + A_1 * c.s_12_1 - d_21_1 - A_2 * c.s_21_1;         // (7)
+        const Matrix3 A_21 = A_x(q(i)) * A_y(q(i + 1)) * A_z(q(i + 2));      // (5), A.1
+        const Matrix3 A_2 = A_1 * A_21.transpose();                          // (6)
+        const Vector3 d_21_1 = A_2 * c.h_21 * q(i + 3);                      // (8)
+        const Vector3 r_2 = r_1 + A_1 * c.s_12_1 - d_21_1 - A_2 * c.s_21_1;  // (7)
         pose[static_cast<std::size_t>(j - 1)] = {A_2, r_2};
     }
     for (const int j : {4, 5}) {
         const Arm& c = arm(j);
-        const Matrix3 A_41 = A_z(q(j + 5));                                         // A.1
-        const Matrix3 A_4 = A_1 * c.C_14 * A_41.transpose() * c.C_41.transpose();   // (3)
-        const Vector3 r_4 = r_1 + A_1 * c.s_14 - A_4 * c.s_41;                      // (4)
+        const Matrix3 A_41 = A_z(q(j + 5));                                        // A.1
+        const Matrix3 A_4 = A_1 * c.C_14 * A_41.transpose() * c.C_41.transpose();  // (3)
+        const Vector3 r_4 = r_1 + A_1 * c.s_14 - A_4 * c.s_41;                     // (4)
         pose[static_cast<std::size_t>(j - 1)] = {A_4, r_4};
     }
     return pose;
@@ -46,17 +50,17 @@ std::array<Twist, 5> LiteralCar::twists(const Coordinates& q, const Vector& qdot
         const int i = first_angle(j), row = first_row(j);
         const Matrix3& A_2 = pose[static_cast<std::size_t>(j - 1)].A;
         const Matrix3 D_2 = D(q(i), q(i + 1));
-        const Vector3 omega_2 = omega_1 - A_2 * D_2 * qdot.segment<3>(row);         // (15)
+        const Vector3 omega_2 = omega_1 - A_2 * D_2 * qdot.segment<3>(row);  // (15)
         const Vector3 s_12_1 = A_1 * c.s_12_1, s_21_1 = A_2 * c.s_21_1, h_21 = A_2 * c.h_21;
-        const Vector3 r_2_dot = r_1_dot + omega_1.cross(s_12_1) - omega_2.cross(h_21 * q(i + 3) + s_21_1) -
-                                h_21 * qdot[row + 3];                               // (16)
+        const Vector3 r_2_dot =
+            r_1_dot + omega_1.cross(s_12_1) - omega_2.cross(h_21 * q(i + 3) + s_21_1) - h_21 * qdot[row + 3];  // (16)
         twist[static_cast<std::size_t>(j - 1)] = {r_2_dot, omega_2};
     }
     for (const int j : {4, 5}) {
         const Arm& c = arm(j);
         const Matrix3& A_4 = pose[static_cast<std::size_t>(j - 1)].A;
         const Vector3 u_41 = A_4 * c.C_41.col(2);
-        const Vector3 omega_4 = omega_1 - u_41 * qdot[first_row(j)];                // (12)
+        const Vector3 omega_4 = omega_1 - u_41 * qdot[first_row(j)];                                  // (12)
         const Vector3 r_4_dot = r_1_dot + omega_1.cross(A_1 * c.s_14) - omega_4.cross(A_4 * c.s_41);  // (13)
         twist[static_cast<std::size_t>(j - 1)] = {r_4_dot, omega_4};
     }

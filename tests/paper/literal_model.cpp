@@ -6,7 +6,9 @@
 namespace hamilcar::paper {
 namespace {
 
-Vector3 vector(const Point& p) { return {p[0], p[1], p[2]}; }
+Vector3 vector(const Point& p) {
+    return {p[0], p[1], p[2]};
+}
 
 Body make_body(const BodyDescription& description) {
     Body body;
@@ -66,8 +68,8 @@ LiteralCar::LiteralCar(const VehicleDescription& car, double alpha) : gravity_(c
         bodies_[i + 1] = make_body(corner.carrier);
         bodies_[i + 1].e = vector(corner.wheel.spin_axis);
         if (i < 2) {
-            struts_[i] = make_strut(std::get<MacPhersonDescription>(corner.suspension), body(1).center,
-                                    bodies_[i + 1].center);
+            struts_[i] =
+                make_strut(std::get<MacPhersonDescription>(corner.suspension), body(1).center, bodies_[i + 1].center);
         } else {
             arms_[i - 2] = make_arm(std::get<SemiTrailingArmDescription>(corner.suspension), body(1).center,
                                     bodies_[i + 1].center);

@@ -54,7 +54,7 @@ TEST_F(Literal, GivenLinkLengthsAreKept) {
     const LiteralCar other(description);
     const Coordinates assembled = other.assemble(other.design_position());
     EXPECT_LT(other.Phi(assembled).cwiseAbs().maxCoeff(), 1e-15);
-    const double arm = 0.333 * 0.333 + 0.0192 * 0.0192 + 0.0236 * 0.0236;      // C - A, A rounded to 0.1 mm
+    const double arm = 0.333 * 0.333 + 0.0192 * 0.0192 + 0.0236 * 0.0236;        // C - A, A rounded to 0.1 mm
     const double tie_rod = 0.0046 * 0.0046 + 0.3722 * 0.3722 + 0.0232 * 0.0232;  // Q - R
     EXPECT_NEAR(car.Phi(assembled)[1], 0.3354 * 0.3354 - arm, 1e-4);
     EXPECT_NEAR(car.Phi(assembled)[2], 0.372 * 0.372 - tie_rod, 1e-14);
@@ -144,14 +144,14 @@ TEST_F(Literal, RatesOfTheMatricesAlongTheFlow) {
 
 TEST_F(Literal, BlocksOfTheMassMatricesAreTheProducts) {
     const Matrix B = car.B(q), BH = car.BH(q), Mhat = car.Mhat(q);
-    EXPECT_LT(difference(car.M_star(q), B.transpose() * Mhat * B), 1e-13);          // A.4
-    EXPECT_LT(difference(car.M_star_star(q), BH.transpose() * Mhat * BH), 1e-13);   // (59), A.5
+    EXPECT_LT(difference(car.M_star(q), B.transpose() * Mhat * B), 1e-13);         // A.4
+    EXPECT_LT(difference(car.M_star_star(q), BH.transpose() * Mhat * BH), 1e-13);  // (59), A.5
     EXPECT_LT(difference(car.X_star_star(q), BH.transpose() * Mhat * car.BX(q)), 1e-13);
     EXPECT_LT(difference(car.M_star_star(q), car.M_star_star(q).transpose()), 1e-13);
     const Vector eigenvalues = car.M_star_star(q).selfadjointView<Eigen::Lower>().eigenvalues();
     EXPECT_GT(eigenvalues.minCoeff(), 0);
     const Vector P_a = car.P_a(q, adot, {3, -4, 5, 6});
-    EXPECT_LT(difference(car.adot(q, P_a, {3, -4, 5, 6}), adot), 1e-11);            // (58) inverts (57)
+    EXPECT_LT(difference(car.adot(q, P_a, {3, -4, 5, 6}), adot), 1e-11);  // (58) inverts (57)
 }
 
 TEST_F(Literal, KineticEnergyIsThatOfTheBodies) {
@@ -163,8 +163,8 @@ TEST_F(Literal, KineticEnergyIsThatOfTheBodies) {
         T += 0.5 * body.m * twist[i].r_dot.squaredNorm() + 0.5 * omega.dot(body.J * omega);
     }
     const Vector BX = car.BX(q);
-    const double in_a = 0.5 * adot.dot(car.M_star_star(q) * adot) + adot.dot(car.X_star_star(q)) +
-                        0.5 * BX.dot(car.Mhat(q) * BX);
+    const double in_a =
+        0.5 * adot.dot(car.M_star_star(q) * adot) + adot.dot(car.X_star_star(q)) + 0.5 * BX.dot(car.Mhat(q) * BX);
     EXPECT_NEAR(0.5 * qdot.dot(car.M_star(q) * qdot), T, 1e-11 * T);  // (56)
     EXPECT_NEAR(in_a, T, 1e-11 * T);
 }

@@ -11,7 +11,7 @@ namespace {
 using paper::Coordinates;
 using paper::LiteralCar;
 
-constexpr double tolerance = 1e-10;  // of the largest number compared
+constexpr double tolerance = 1e-10;           // of the largest number compared
 const paper::Rotors rotors{31, -12, 44, 27};  // FR, FL, RR, RL [kg m^2/s]
 
 // Corner i of the description is this body of the paper.
@@ -39,8 +39,8 @@ VehicleDescription force_free_car() {
             }
         }
         if (auto* a = std::get_if<SemiTrailingArmDescription>(&corner.suspension)) {
-            for (Point* p : {&a->inner_bush, &a->outer_bush, &a->spring_arm, &a->spring_body, &a->damper_arm,
-                             &a->damper_body}) {
+            for (Point* p :
+                 {&a->inner_bush, &a->outer_bush, &a->spring_arm, &a->spring_body, &a->damper_arm, &a->damper_body}) {
                 shift(*p, origin);
             }
         }
@@ -68,10 +68,15 @@ struct Case {
 class Production : public testing::TestWithParam<Case> {
 protected:
     Production()
-        : description_(force_free_car()), literal_(description_, GetParam().alpha), adot_(paper::general_rates()),
+        : description_(force_free_car()),
+          literal_(description_, GetParam().alpha),
+          adot_(paper::general_rates()),
           q_(GetParam().open_joints ? paper::violated_position(literal_) : paper::general_position(literal_)),
-          model_{.vehicle = Vehicle<double>(description_), .road = PlaneRoad<double>(0, 0, 1), .chart = GetParam().chart,
-                 .constraints = ConstraintMode::stabilized, .stabilization_gain = GetParam().alpha} {
+          model_{.vehicle = Vehicle<double>(description_),
+                 .road = PlaneRoad<double>(0, 0, 1),
+                 .chart = GetParam().chart,
+                 .constraints = ConstraintMode::stabilized,
+                 .stabilization_gain = GetParam().alpha} {
         input_.rack = {q_(17), q_.q17_dot, 0};
         set_state();
         velocity_ = velocity_block(model_, state_, input_);
@@ -165,7 +170,8 @@ TEST_P(Production, MomentumRatesAreThoseOf71) {
         Vector<double, 4> bryant(q_(14), q_(15), q_(16), 0);
         const Vec3<double> omega = velocity_.R_GC * velocity_.hub.tail<3>();
         P_Z_rate = BryantChart<double>::stored_momentum_rate(
-            bryant, {velocity_.R_GC * velocity_.hub.head<3>(), omega, velocity_.hub.tail<3>(), state_.momentum(), P_Z_rate});
+            bryant,
+            {velocity_.R_GC * velocity_.hub.head<3>(), omega, velocity_.hub.tail<3>(), state_.momentum(), P_Z_rate});
     }
     for (int i = 0; i < 6; ++i) expect_near(P_Z_rate[i], expected[i], scale, "P_Z'");
     for (int i = 0; i < 4; ++i) {
@@ -178,7 +184,7 @@ INSTANTIATE_TEST_SUITE_P(Paper, Production,
                                          Case{"bryant_open_stabilized", ChassisChart::bryant, 60, true},
                                          Case{"quaternion_closed", ChassisChart::quaternion, 0, false},
                                          Case{"quaternion_open_stabilized", ChassisChart::quaternion, 400, true}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace hamilcar

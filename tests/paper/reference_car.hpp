@@ -2,11 +2,13 @@
 // hardpoints and the elastic parts. The tires are vertical springs; link lengths come from the hardpoints.
 #pragma once
 
-#include "hamilcar/vehicle/description.hpp"
+#include "hamilcar/description/vehicle.hpp"
 
 namespace hamilcar::paper {
 
-inline Point mirrored(const Point& p) { return {p[0], -p[1], p[2]}; }
+inline Point mirrored(const Point& p) {
+    return {p[0], -p[1], p[2]};
+}
 
 inline CornerDescription mirrored(CornerDescription corner) {
     if (auto* strut = std::get_if<MacPhersonDescription>(&corner.suspension)) {

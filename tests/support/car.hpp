@@ -7,9 +7,13 @@
 
 namespace hamilcar::test {
 
-inline std::string source_path(const std::string& relative) { return std::string(HAMILCAR_SOURCE_DIR) + "/" + relative; }
+inline std::string source_path(const std::string& relative) {
+    return std::string(HAMILCAR_SOURCE_DIR) + "/" + relative;
+}
 
-inline VehicleDescription shipped_car() { return io::read_vehicle(source_path("vehicles/bmw_323i.toml")); }
+inline VehicleDescription shipped_car() {
+    return io::read_vehicle(source_path("vehicles/bmw_323i.toml"));
+}
 
 // The shipped car without anything that takes energy, and smooth: no dampers, no drag, tires that are bilateral
 // vertical springs. Its stops stay; a test keeps the travel inside them.

@@ -10,8 +10,8 @@ namespace hamilcar {
 namespace {
 
 constexpr double degree = 180 / std::numbers::pi;
-constexpr double angle_tolerance = 0.02;    // [deg]
-constexpr double length_tolerance = 2e-4;   // [m]; hardpoints are printed to 0.1 mm
+constexpr double angle_tolerance = 0.02;   // [deg]
+constexpr double length_tolerance = 2e-4;  // [m]; hardpoints are printed to 0.1 mm
 
 // One corner held at a wheel travel and a rack displacement.
 class Corner {
@@ -22,25 +22,29 @@ public:
     }
 
     struct Figures {
-        double independent, camber, toe, steer;  // [m or rad], [deg]
-        Vec3<double> center_shift, contact_shift;        // [m]
+        double independent, camber, toe, steer;    // [m or rad], [deg]
+        Vec3<double> center_shift, contact_shift;  // [m]
     };
 
     Figures at(double travel, double rack = 0) {
         constexpr int lead_in = 20;
         for (int i = 1; i <= lead_in; ++i) move_to(travel * i / lead_in, rack * i / lead_in);
         const auto velocity = velocity_block(model_, state_, input_);
-        return visit_spoke(model_.vehicle, velocity, index_, [&](const Spoke<double>& spoke, const auto&, const auto& at) {
-            const Vec3<double>& e = at.spin_axis;
-            const Vec3<double> center = at.position.pose.point(spoke.wheel.center);
-            const auto contact = [&](const Vec3<double>& hub, const Vec3<double>& axis) {
-                const Vec3<double> down = (Vec3<double>::UnitZ() - axis * axis[2]).normalized();
-                return Vec3<double>(hub - down * hub_height);
-            };
-            return Figures{state_.spoke(index_).independent[0], -degree * std::asin(e[2]), degree * std::atan2(e[0], e[1]),
-                           -degree * std::atan2(e[0], e[1]), center - spoke.wheel.center,
-                           contact(center, e) - contact(spoke.wheel.center, spoke.wheel.axis)};
-        });
+        return visit_spoke(model_.vehicle, velocity, index_,
+                           [&](const Spoke<double>& spoke, const auto&, const auto& at) {
+                               const Vec3<double>& e = at.spin_axis;
+                               const Vec3<double> center = at.position.pose.point(spoke.wheel.center);
+                               const auto contact = [&](const Vec3<double>& hub, const Vec3<double>& axis) {
+                                   const Vec3<double> down = (Vec3<double>::UnitZ() - axis * axis[2]).normalized();
+                                   return Vec3<double>(hub - down * hub_height);
+                               };
+                               return Figures{state_.spoke(index_).independent[0],
+                                              -degree * std::asin(e[2]),
+                                              degree * std::atan2(e[0], e[1]),
+                                              -degree * std::atan2(e[0], e[1]),
+                                              center - spoke.wheel.center,
+                                              contact(center, e) - contact(spoke.wheel.center, spoke.wheel.axis)};
+                           });
     }
 
     // Of the steering axis, from the ball joint to the strut's top [deg].
@@ -119,10 +123,12 @@ TEST_P(RearKinematics, MatchesTable24) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Table24, RearKinematics,
-                         testing::Values(RearRow{-80, 1.087, 0.093, 7.45, -15.86}, RearRow{-60, 0.372, 0.059, 4.18, -11.49},
-                                         RearRow{-40, -0.339, 0.058, 1.85, -7.39}, RearRow{-20, -1.047, 0.090, 0.46, -3.56},
-                                         RearRow{0, -1.750, 0.155, 0, 0}, RearRow{20, -2.450, 0.252, 0.46, 3.29},
-                                         RearRow{40, -3.146, 0.382, 1.85, 6.32}, RearRow{60, -3.838, 0.545, 4.18, 9.07},
+                         testing::Values(RearRow{-80, 1.087, 0.093, 7.45, -15.86},
+                                         RearRow{-60, 0.372, 0.059, 4.18, -11.49},
+                                         RearRow{-40, -0.339, 0.058, 1.85, -7.39},
+                                         RearRow{-20, -1.047, 0.090, 0.46, -3.56}, RearRow{0, -1.750, 0.155, 0, 0},
+                                         RearRow{20, -2.450, 0.252, 0.46, 3.29}, RearRow{40, -3.146, 0.382, 1.85, 6.32},
+                                         RearRow{60, -3.838, 0.545, 4.18, 9.07},
                                          RearRow{80, -4.527, 0.742, 7.45, 11.55}));
 
 TEST(RearArm, AnglesMatchTable24) {
@@ -144,8 +150,9 @@ TEST_P(Steer, FollowsTheRack) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Table23, Steer,
-                         testing::Values(SteerRow{-73, -33.97}, SteerRow{-40, -18.66}, SteerRow{-20, -9.44}, SteerRow{20, 9.90},
-                                         SteerRow{40, 20.55}, SteerRow{60, 32.46}, SteerRow{73, 41.31}));
+                         testing::Values(SteerRow{-73, -33.97}, SteerRow{-40, -18.66}, SteerRow{-20, -9.44},
+                                         SteerRow{20, 9.90}, SteerRow{40, 20.55}, SteerRow{60, 32.46},
+                                         SteerRow{73, 41.31}));
 
 }  // namespace
 }  // namespace hamilcar

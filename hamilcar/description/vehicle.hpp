@@ -13,34 +13,36 @@
 
 namespace hamilcar {
 
+inline constexpr int max_spokes = 12;  // wheels a car may have, one to a corner
+
 using Point = std::array<double, 3>;  // [m], vehicle frame, or a direction [1]
 
 // A rigid body; inertia about its own center of mass, axes parallel to the vehicle frame at design.
 struct BodyDescription {
-    double mass = 0;           // [kg]
-    Point center_of_mass{};    // [m]
-    Point inertia{};           // Ixx, Iyy, Izz [kg m^2]
-    Point products{};          // Ixy, Iyz, Ixz as matrix entries (the off-diagonal elements themselves) [kg m^2]
+    double mass = 0;         // [kg]
+    Point center_of_mass{};  // [m]
+    Point inertia{};         // Ixx, Iyy, Izz [kg m^2]
+    Point products{};        // Ixy, Iyz, Ixz as matrix entries (the off-diagonal elements themselves) [kg m^2]
 };
 
 // The carrier's inertia in BodyDescription excludes the part `spin_inertia * e e^T` that turns with the wheel.
 struct WheelDescription {
-    Point center{};            // [m]
-    Point spin_axis{};         // unit, toward +y: a wheel rolling forward spins positive about it
-    double spin_inertia = 0;   // wheel, tire and disc about the spin axis [kg m^2]
+    Point center{};           // [m]
+    Point spin_axis{};        // unit, toward +y: a wheel rolling forward spins positive about it
+    double spin_inertia = 0;  // wheel, tire and disc about the spin axis [kg m^2]
 };
 
 // Strut composite joint (ST) plus a massless control arm (RS cut joint) and a tie rod (D cut joint): the paper's Fig. 3.
 struct MacPhersonDescription {
-    Point strut_top{};         // T, on the chassis
-    Point slide_point{};       // S, on the spindle; the strut slides along S -> T and its length is |T - S|
-    Point arm_front{};         // A1, control arm axis, front bush
-    Point arm_rear{};          // A2, control arm axis, rear bush
-    Point ball_joint{};        // C, on the spindle
-    Point rack_end{};          // R, tie rod inner end at rack displacement 0; ignored axis where not steered
-    Point tie_rod_outer{};     // Q, on the spindle
-    Point rack_axis{0, 1, 0};  // unit; a positive rack displacement moves R along it
-    std::optional<double> arm_length;      // |C - foot of C on the arm axis| [m]; from the hardpoints if absent
+    Point strut_top{};                 // T, on the chassis
+    Point slide_point{};               // S, on the spindle; the strut slides along S -> T and its length is |T - S|
+    Point arm_front{};                 // A1, control arm axis, front bush
+    Point arm_rear{};                  // A2, control arm axis, rear bush
+    Point ball_joint{};                // C, on the spindle
+    Point rack_end{};                  // R, tie rod inner end at rack displacement 0; ignored axis where not steered
+    Point tie_rod_outer{};             // Q, on the spindle
+    Point rack_axis{0, 1, 0};          // unit; a positive rack displacement moves R along it
+    std::optional<double> arm_length;  // |C - foot of C on the arm axis| [m]; from the hardpoints if absent
     std::optional<double> tie_rod_length;  // |Q - R| [m]; from the hardpoints if absent
 };
 
@@ -76,18 +78,18 @@ struct StopDescription {
 
 // Linear tire with friction limit and relaxation (see docs/models/tire.md).
 struct LinearTireDescription {
-    double radius = 0;                  // unloaded [m]
-    double rolling_radius = 0;          // effective [m]
-    double vertical_stiffness = 0;      // [N/m]
-    double vertical_damping = 0;        // [N s/m]
-    double longitudinal_stiffness = 0;  // slip stiffness per load, C_kappa / Fz [1]
-    double cornering_reference = 0;     // peak of C_alpha over load [N/rad]
-    double cornering_load = 0;          // load at that peak [N]: C_alpha = 2 ref x / (1 + x^2), x = Fz / load
-    double friction = 0;                // [1]
-    double relaxation_longitudinal = 0; // [m]
-    double relaxation_lateral = 0;      // [m]
-    double carcass_damping = 0;         // damping time of the contact deflection [s]
-    double rolling_resistance = 0;      // [1]
+    double radius = 0;                   // unloaded [m]
+    double rolling_radius = 0;           // effective [m]
+    double vertical_stiffness = 0;       // [N/m]
+    double vertical_damping = 0;         // [N s/m]
+    double longitudinal_stiffness = 0;   // slip stiffness per load, C_kappa / Fz [1]
+    double cornering_reference = 0;      // peak of C_alpha over load [N/rad]
+    double cornering_load = 0;           // load at that peak [N]: C_alpha = 2 ref x / (1 + x^2), x = Fz / load
+    double friction = 0;                 // [1]
+    double relaxation_longitudinal = 0;  // [m]
+    double relaxation_lateral = 0;       // [m]
+    double carcass_damping = 0;          // damping time of the contact deflection [s]
+    double rolling_resistance = 0;       // [1]
 };
 
 // A frictionless vertical spring that also pulls: for ride and energy studies, not for driving.
@@ -100,9 +102,9 @@ struct SpringTireDescription {
 using TireDescription = std::variant<LinearTireDescription, SpringTireDescription>;
 
 struct BrakeDescription {
-    double max_torque = 0;         // at full command [N m]
-    double windup_stiffness = 0;   // of caliper and mounting, seen by a locked wheel [N m/rad]
-    double windup_damping = 0;     // [N m s/rad]
+    double max_torque = 0;        // at full command [N m]
+    double windup_stiffness = 0;  // of caliper and mounting, seen by a locked wheel [N m/rad]
+    double windup_damping = 0;    // [N m s/rad]
 };
 
 // One wheel with everything that carries it: a spoke of the hub-and-spoke model.
@@ -131,6 +133,14 @@ struct AerodynamicsDescription {
     Point center{};          // where the drag acts [m]
 };
 
+// Points of the body that may touch the road when the car tips over (docs/models/forces.md, "Hull").
+struct HullDescription {
+    std::vector<Point> points;  // [m]
+    double stiffness = 0;       // of each point [N/m]
+    double damping = 0;         // of each point, per depth and speed: F = stiffness depth (1 + damping depth') [s/m]
+    double friction = 0;        // [1]
+};
+
 struct SteeringDescription {
     double rack_per_revolution = 0;  // rack travel per turn of the steering wheel [m]
     double rack_travel = 0;          // half travel: |rack| stays below it [m]
@@ -142,6 +152,7 @@ struct VehicleDescription {
     std::vector<CornerDescription> corners;
     std::vector<AntiRollBarDescription> anti_roll_bars;
     AerodynamicsDescription aerodynamics;
+    HullDescription hull;
     SteeringDescription steering;
     double gravity = 9.80665;  // [m/s^2]
 };

@@ -19,19 +19,23 @@ struct SignalDescription {
 };
 
 enum class SteeringInput { none, steering_wheel, rack };
-enum class ConstraintMode { exact, stabilized };     // W solved from Phi = 0, or integrated with (27)
-enum class StabilizationRule { paper, limit, value };  // alpha = ST_k / h of Table 3, a fraction of the exact limit, or a number
-enum class ChassisChart { quaternion, bryant };      // orientation coordinates of the hub
+enum class ConstraintMode { exact, stabilized };  // W solved from Phi = 0, or integrated with (27)
+enum class StabilizationRule {
+    paper,
+    limit,
+    value
+};  // alpha = ST_k / h of Table 3, a fraction of the exact limit, or a number
+enum class ChassisChart { quaternion, bryant };  // orientation coordinates of the hub
 
 struct SolverDescription {
-    double step = 1e-3;                // [s]
-    std::string integrator = "ab3";    // name in the list of integrators
-    double tolerance = 1e-8;           // relative error per step, adaptive methods only [1]
+    double step = 1e-3;              // [s]
+    std::string integrator = "ab3";  // name in the list of integrators
+    double tolerance = 1e-8;         // relative error per step, adaptive methods only [1]
     ConstraintMode constraints = ConstraintMode::exact;
     StabilizationRule stabilization = StabilizationRule::paper;
-    double stabilization_gain = 0;     // alpha [1/s], with StabilizationRule::value
+    double stabilization_gain = 0;  // alpha [1/s], with StabilizationRule::value
     ChassisChart chart = ChassisChart::quaternion;
-    bool check_stability = true;       // refuse a gain beyond the limit; only the sweep of Fig. 9 turns it off
+    bool check_stability = true;  // refuse a gain beyond the limit; only the sweep of Fig. 9 turns it off
 };
 
 // The chassis is first put in static equilibrium on the road (unless `settle` is false: then at `height`), then moved.

@@ -1,0 +1,129 @@
+// What must not matter: left or right, where on earth, which chart, which run.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "hamilcar/run/channels.hpp"
+#include "support/allocation_guard.hpp"
+#include "support/car.hpp"
+
+namespace hamilcar {
+namespace {
+
+ScenarioDescription lane_change(double sign = 1) {
+    ScenarioDescription s = test::scenario(5, 15);
+    s.drive = test::table({0, 0.5}, {0, 300});
+    s.brake = test::table({3.5, 4, 5}, {0, 0.2, 0.2});
+    s.steering_input = SteeringInput::rack;
+    s.steering = test::table({0.5, 1.2, 2, 2.7, 3.4}, {0, sign * 0.005, 0, -sign * 0.005, 0});
+    return s;
+}
+
+// A channel of the mirrored car: left for right, and the sign that the mirror gives it.
+struct Mirrored {
+    std::string name;
+    double sign;
+};
+Mirrored mirror(const std::string& name) {
+    std::string other = name;
+    for (const auto& [from, to] : {std::pair<std::string, std::string>{"_left", "_right"}, {"_right", "_left"}}) {
+        const auto at = name.find(from);
+        if (at != std::string::npos) other = name.substr(0, at) + to + name.substr(at + from.size());
+    }
+    for (const char* odd : {".y", "lateral", "roll", "yaw", "input.rack", "wheel.steer", "bryant.1", "bryant.3"}) {
+        const bool bar = name.find("anti_roll_bar") != std::string::npos;
+        if (!bar && name.find(odd) != std::string::npos) return {other, -1};
+    }
+    return {other, 1};
+}
+
+TEST(Mirror, SteeringTheOtherWayMirrorsEveryChannel) {
+    const VehicleDescription car = test::shipped_car();
+    Simulation left(car, lane_change(1)), right(car, lane_change(-1));
+    const auto channels = all_channels(car);
+    double worst = 0;
+    while (!left.finished()) {
+        for (int i = 0; i < 100; ++i) ASSERT_FALSE(left.advance() || right.advance());
+        const Sample a = left.sample(), b = right.sample();
+        for (const Channel& channel : channels) {
+            // The balance and the openings are round-off themselves: nothing of theirs is left to mirror.
+            if (channel.column.name.starts_with("constraints") || channel.column.name == "energy.balance") continue;
+            const Mirrored twin = mirror(channel.column.name);
+            const auto found = std::find_if(channels.begin(), channels.end(),
+                                            [&](const Channel& c) { return c.column.name == twin.name; });
+            ASSERT_NE(found, channels.end()) << twin.name;
+            const double value = channel.read(a), expected = twin.sign * found->read(b);
+            const double error = std::abs(value - expected) / std::max(1.0, std::abs(value));
+            worst = std::max(worst, error);
+            EXPECT_LT(error, 1e-10) << channel.column.name << " at " << a.time;
+        }
+    }
+    std::printf("largest relative difference: %.1e\n", worst);
+}
+
+TEST(FarAway, ChangesNothing) {
+    ScenarioDescription far = lane_change();
+    far.initial.position = {10e3, -10e3};
+    Simulation here(test::shipped_car(), lane_change()), there(test::shipped_car(), far);
+    test::run_to_end(here);
+    test::run_to_end(there);
+    const Vec3<double> moved = Vec3<double>(there.state().position()) - Vec3<double>(here.state().position());
+    EXPECT_NEAR(moved[0], 10e3, 1e-9);
+    EXPECT_NEAR(moved[1], -10e3, 1e-9);
+    EXPECT_NEAR(moved[2], 0, 1e-9);
+    for (int i = 3; i < State<double>::size(4); ++i) {
+        if (i == 13) continue;  // work [J], compared with the energy's size below
+        const double a = here.state().values[static_cast<std::size_t>(i)],
+                     b = there.state().values[static_cast<std::size_t>(i)];
+        EXPECT_NEAR(a, b, 1e-9 * std::max(1.0, std::abs(a))) << i;
+    }
+}
+
+TEST(Charts, TakeTheSamePath) {
+    ScenarioDescription bryant = lane_change();
+    bryant.solver.chart = ChassisChart::bryant;
+    ScenarioDescription quaternion = lane_change();
+    bryant.solver.integrator = quaternion.solver.integrator = "rk4";
+    Simulation a(test::shipped_car(), bryant), b(test::shipped_car(), quaternion);
+    test::run_to_end(a);
+    test::run_to_end(b);
+    EXPECT_LT((a.state().position() - b.state().position()).norm(), 1e-8);
+}
+
+TEST(ConstraintModes, TakeTheSamePath) {
+    ScenarioDescription stabilized = lane_change();
+    stabilized.solver.constraints = ConstraintMode::stabilized;
+    Simulation a(test::shipped_car(), stabilized), b(test::shipped_car(), lane_change());
+    test::run_to_end(a);
+    test::run_to_end(b);
+    EXPECT_LT((a.state().position() - b.state().position()).norm(), 1e-6);
+    EXPECT_LT(b.sample().violation, 1e-14) << "exact mode: round-off";
+}
+
+TEST(Repeatability, TwoRunsGiveTheSameBytes) {
+    Simulation a(test::shipped_car(), lane_change()), b(test::shipped_car(), lane_change());
+    test::run_to_end(a);
+    test::run_to_end(b);
+    EXPECT_EQ(std::memcmp(&a.state(), &b.state(), sizeof(State<double>)), 0);
+}
+
+TEST(Step, AllocatesNothing) {
+    for (const Method& method : methods) {
+        ScenarioDescription s = lane_change();
+        s.solver.integrator = method.name;
+        Simulation simulation(test::shipped_car(), s);
+        const test::AllocationGuard guard;
+        for (int i = 0; i < 50; ++i) simulation.advance();
+        EXPECT_EQ(guard.allocations(), 0) << method.name;
+    }
+    const test::AllocationGuard guard;
+    ::operator delete(::operator new(1));
+    EXPECT_EQ(guard.allocations(), 1) << "the guard itself must see an allocation";
+}
+
+TEST(State, IsPlainMemory) {
+    static_assert(std::is_trivially_copyable_v<State<double>>);
+}
+
+}  // namespace
+}  // namespace hamilcar

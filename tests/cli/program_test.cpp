@@ -1,0 +1,283 @@
+// The program as a person meets it: what it prints, which code it exits with, what it leaves on the disk.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <netcdf.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "support/car.hpp"
+
+namespace hamilcar {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+std::string contents(const fs::path& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+class Program : public testing::Test {
+protected:
+    Program() : folder_(fs::temp_directory_path() / ("hamilcar_cli_" + std::to_string(getpid()))) {
+        fs::create_directories(folder_);
+    }
+    ~Program() override { fs::remove_all(folder_); }
+
+    struct Outcome {
+        int code;
+        std::string out, err;
+    };
+    // Runs `hamilcar` with the given words, in the test's folder.
+    Outcome run(const std::string& words) const {
+        const std::string command =
+            "cd '" + folder_.string() + "' && '" + HAMILCAR_PROGRAM + "' " + words + " >out.txt 2>err.txt";
+        const int status = std::system(command.c_str());
+        return {WEXITSTATUS(status), contents(folder_ / "out.txt"), contents(folder_ / "err.txt")};
+    }
+    // A copy of a shipped file with one replacement; returns its path.
+    std::string changed(const std::string& shipped, const std::string& from, const std::string& to) const {
+        std::string text = contents(test::source_path(shipped));
+        const auto at = text.find(from);
+        EXPECT_NE(at, std::string::npos) << from;
+        text.replace(at, from.size(), to);
+        const auto reference = text.find("../vehicles/");
+        if (reference != std::string::npos) text.replace(reference, 12, test::source_path("vehicles/"));
+        const fs::path path = folder_ / fs::path(shipped).filename();
+        std::ofstream(path) << text;
+        return path.string();
+    }
+    std::string scenario_for(const std::string& vehicle_path, const std::string& more = "") const {
+        const fs::path path = folder_ / "scenario.toml";
+        std::ofstream(path) << "name = \"t\"\nvehicle = \"" << vehicle_path << "\"\nduration_s = 1.0\n" << more;
+        return path.string();
+    }
+
+    fs::path folder_;
+};
+
+const std::string shipped = test::source_path("vehicles/bmw_323i.toml");
+
+TEST_F(Program, RunsAScenarioAndWritesBothFormats) {
+    const Outcome r = run("run " + scenario_for(shipped) + " -o results");
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_THAT(r.out, HasSubstr("times real time"));
+    const std::string csv = contents(folder_ / "results/results.csv");
+    EXPECT_THAT(csv, testing::StartsWith("time [s],chassis.position.x [m],"));
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 101);
+    int file = 0, dimension = 0;
+    std::size_t rows = 0;
+    ASSERT_EQ(nc_open((folder_ / "results/results.nc").c_str(), NC_NOWRITE, &file), NC_NOERR);
+    EXPECT_EQ(nc_inq_dimid(file, "time", &dimension), NC_NOERR);
+    EXPECT_EQ(nc_inq_dimlen(file, dimension, &rows), NC_NOERR);
+    nc_close(file);
+    EXPECT_EQ(rows, 101u);
+}
+
+TEST_F(Program, GivesTheSameFactsAsJson) {
+    const Outcome r = run("run " + scenario_for(shipped) + " -o results --json");
+    ASSERT_EQ(r.code, 0) << r.err;
+    const auto facts = nlohmann::json::parse(r.out);
+    EXPECT_EQ(facts["steps"], 1000);
+    EXPECT_LT(facts["worst_constraint_opening_m"].get<double>(), 1e-12);
+    EXPECT_EQ(facts, nlohmann::json::parse(contents(folder_ / "results/summary.json")));
+}
+
+TEST_F(Program, WritesTheSameBytesTwice) {
+    const std::string scenario =
+        scenario_for(shipped, "[inputs.drive]\ntime_s = [0.0, 0.5]\ntorque_N_m = [0.0, 400.0]\n");
+    ASSERT_EQ(run("run " + scenario + " -o a").code, 0);
+    ASSERT_EQ(run("run " + scenario + " -o b").code, 0);
+    EXPECT_EQ(contents(folder_ / "a/results.csv"), contents(folder_ / "b/results.csv"));
+    EXPECT_EQ(contents(folder_ / "a/results.nc"), contents(folder_ / "b/results.nc"));
+}
+
+TEST_F(Program, ChecksAVehicleAndCountsTenDegreesOfFreedom) {
+    const Outcome r = run("check " + shipped);
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_THAT(r.out, HasSubstr("degrees of freedom       10"));
+    EXPECT_THAT(r.out, HasSubstr("5 x 7 = 35 coordinates - 25 constraints = 10"));
+    const auto facts = nlohmann::json::parse(run("check --json " + shipped).out);
+    EXPECT_EQ(facts["degrees_of_freedom"], 10);
+    EXPECT_EQ(facts["bodies"], 5);
+    EXPECT_EQ(facts["cut_equations"], 6);
+}
+
+TEST_F(Program, RunsThePapersCase) {
+    const Outcome r = run("paper --json -o paper " + test::source_path("scenarios/paper.toml"));
+    ASSERT_EQ(r.code, 0) << r.err;
+    const auto facts = nlohmann::json::parse(r.out);
+    EXPECT_EQ(facts["table_2"]["as_printed"], 9);
+    EXPECT_EQ(facts["table_2"]["degrees_of_freedom"], 10);
+    const auto& fig9 = facts["figure_9"];
+    EXPECT_NEAR(fig9["stability_limit_per_s"].get<double>(), 6000. / 11, 1e-9);
+    EXPECT_EQ(fig9["first_unstable_gain_per_s"], 550);  // the first gain of the sweep beyond 6/11 of 1/h
+    EXPECT_GE(fig9["least_rms_at_gain_per_s"].get<double>(), 150);
+    EXPECT_LE(fig9["least_rms_at_gain_per_s"].get<double>(), 400);
+    for (const char* name :
+         {"table2_degrees_of_freedom.csv", "table3_stability_limits.csv", "fig09_sweep.csv", "fig09_norm_over_time.svg",
+          "fig09_norm_over_alpha.svg", "fig11_lateral_position.csv", "fig11_lateral_position.svg",
+          "fig12_lateral_velocity.svg", "fig13_vertical_position.svg", "fig14_vertical_velocity.svg"}) {
+        EXPECT_TRUE(fs::exists(folder_ / "paper" / name)) << name;
+        EXPECT_GT(fs::file_size(folder_ / "paper" / name), 100u) << name;
+    }
+}
+
+TEST_F(Program, KeepsWhatWasWrittenWhenItIsInterrupted) {
+    const std::string scenario = scenario_for(shipped, "[output]\ninterval_s = 0.001\n");
+    std::string text = contents(scenario);
+    text.replace(text.find("duration_s = 1.0"), 16, "duration_s = 1e5");
+    std::ofstream(scenario) << text;
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        if (chdir(folder_.c_str()) != 0 || !freopen("/dev/null", "w", stdout) || !freopen("err.txt", "w", stderr))
+            _exit(99);
+        execl(HAMILCAR_PROGRAM, "hamilcar", "run", scenario.c_str(), "-o", "results", nullptr);
+        _exit(99);
+    }
+    const fs::path csv = folder_ / "results/results.csv";
+    for (int i = 0; i < 1000 && (!fs::exists(csv) || fs::file_size(csv) < 100000); ++i) usleep(10000);
+    kill(child, SIGINT);
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 130);
+    EXPECT_THAT(contents(folder_ / "err.txt"), HasSubstr("the results so far are kept"));
+    EXPECT_EQ(contents(csv).back(), '\n');
+    int file = 0;
+    ASSERT_EQ(nc_open((folder_ / "results/results.nc").c_str(), NC_NOWRITE, &file), NC_NOERR);
+    nc_close(file);
+}
+
+struct Mistake {
+    const char *name, *file, *from, *to;
+    int code;
+    std::vector<std::string> message;
+};
+
+class Mistakes : public Program, public testing::WithParamInterface<Mistake> {};
+
+TEST_P(Mistakes, EndWithOneMessageAndItsCode) {
+    const Mistake& m = GetParam();
+    const std::string file = changed(m.file, m.from, m.to);
+    const Outcome r = std::string(m.file).starts_with("vehicles") ? run("check " + file) : run("run " + file + " -o o");
+    EXPECT_EQ(r.code, m.code) << r.err;
+    EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
+    for (const std::string& piece : m.message) EXPECT_THAT(r.err, HasSubstr(piece));
+}
+
+const char* const car_file = "vehicles/bmw_323i.toml";
+const char* const hill_file = "scenarios/hill_hold.toml";
+const char* const paper_file = "scenarios/paper.toml";
+
+INSTANTIATE_TEST_SUITE_P(
+    Everyday, Mistakes,
+    testing::Values(
+        Mistake{"NegativeMass",
+                car_file,
+                "mass_kg = 1002.0",
+                "mass_kg = -3",
+                3,
+                {"chassis.mass_kg", "-3", "[kg]", ":14:11:"}},
+        Mistake{"UnknownKey", car_file, "mass_kg = 1002.0", "mas_kg = 1002.0", 3, {"mas_kg", "mass_kg"}},
+        Mistake{
+            "WrongType", car_file, "mass_kg = 1002.0", "mass_kg = \"heavy\"", 3, {"chassis.mass_kg", "heavy", "[kg]"}},
+        Mistake{"ImpossibleInertia",
+                car_file,
+                "[215.1, 1624.6, 1573.9]",
+                "[215.1, 4624.6, 1573.9]",
+                3,
+                {"chassis.inertia_kg_m2"}},
+        Mistake{"DoesNotAssemble",
+                car_file,
+                "ball_joint_m = [-0.0060, 0.6525, 0.1650]",
+                "arm_length_m = 0.10\nball_joint_m = [-0.0060, 0.6525, 0.1650]",
+                4,
+                {"front_left", "'control arm'", "mm"}},
+        Mistake{"LockedLinkage",
+                car_file,
+                "tie_rod_outer_m = [0.1115, 0.6969, 0.1900]",
+                "tie_rod_outer_m = [-0.0060, 0.6525, 0.1650]",
+                4,
+                {"front_left", "locked"}},
+        Mistake{"GainBeyondTheLimit",
+                paper_file,
+                "stabilization = \"paper\"",
+                "stabilization_gain_per_s = 600",
+                3,
+                {"stabilization_gain_per_s", "600", "545.5", "[1/s]"}},
+        Mistake{"StepTooLargeForTheGain",
+                paper_file,
+                "step_s = 0.001\nintegrator = \"ab3\"\nconstraints = \"stabilized\"\nstabilization = \"paper\"",
+                "step_s = 0.0015\nconstraints = \"stabilized\"\nstabilization_gain_per_s = 400",
+                3,
+                {":11:28:", "stabilization_gain_per_s", "400", "363.6", "a step below 0.00136 s"}},
+        Mistake{"NanInATable", paper_file, "45.0, 0.0, -45.0", "nan, 0.0, -45.0", 3, {"nan"}},
+        Mistake{"TimesThatDoNotIncrease", paper_file, "8.0, 9.0, 10.0", "8.0, 8.0, 10.0", 3, {"time_s"}},
+        Mistake{"UnknownIntegrator", paper_file, "\"ab3\"", "\"ab33\"", 3, {"ab33", "ab3"}},
+        Mistake{"UnknownChannel",
+                hill_file,
+                "[output]",
+                "[output]\nchannels = [\"chassis.positon.x\"]",
+                3,
+                {"chassis.positon.x", "chassis.position.x"}},
+        Mistake{"RackBeyondItsTravel", paper_file, "0.0, 0.0, 45.0", "0.0, 0.0, 945.0", 3, {"steering_wheel", "[m]"}}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST_F(Program, SaysWhichFileItCannotRead) {
+    const Outcome r = run("run nonesuch.toml");
+    EXPECT_EQ(r.code, 5);
+    EXPECT_THAT(r.err, HasSubstr("nonesuch.toml"));
+    EXPECT_THAT(r.err, HasSubstr("No such file"));
+}
+
+TEST_F(Program, SaysWhereItCannotWrite) {
+    std::ofstream(folder_ / "taken") << "a file";
+    const Outcome r = run("run " + scenario_for(shipped) + " -o taken/results");
+    EXPECT_EQ(r.code, 5);
+    EXPECT_THAT(r.err, HasSubstr("taken/results"));
+}
+
+TEST_F(Program, SaysThatTheDiskIsFullAndKeepsWhatIsThere) {
+    const std::string scenario = scenario_for(shipped, "[output]\ninterval_s = 0.001\nnetcdf = false\n");
+    const Outcome r = run("run " + scenario + " -o results");  // measure, then run again with too little room
+    ASSERT_EQ(r.code, 0);
+    const std::string limited =
+        "sh -c \"trap '' XFSZ; ulimit -f 100; '" + std::string(HAMILCAR_PROGRAM) + "' run " + scenario + " -o full\"";
+    const int status = std::system(("cd '" + folder_.string() + "' && " + limited + " >out.txt 2>err.txt").c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 5) << contents(folder_ / "err.txt");
+    EXPECT_THAT(contents(folder_ / "err.txt"), HasSubstr("full/results.csv: cannot write row at t ="));
+    const std::string kept = contents(folder_ / "full/results.csv");
+    EXPECT_GT(kept.size(), 1000u);
+    EXPECT_EQ(kept.back(), '\n');
+    EXPECT_EQ(contents(folder_ / "results/results.csv").substr(0, kept.size()), kept);
+}
+
+TEST_F(Program, StopsAtTheStepThatGoesBad) {
+    const std::string vehicle =
+        changed(car_file, "vertical_stiffness_N_per_m = 180e3", "vertical_stiffness_N_per_m = 180e9");
+    const Outcome r =
+        run("run " + scenario_for(vehicle, "[initial]\nsettle = false\nheight_m = 0.01\n") + " -o results");
+    EXPECT_EQ(r.code, 4) << r.err;
+    EXPECT_THAT(r.err, HasSubstr("the results end at t ="));
+    EXPECT_GT(fs::file_size(folder_ / "results/results.csv"), 100u);
+}
+
+TEST_F(Program, HelpsWithTheCommandLine) {
+    EXPECT_EQ(run("--help").code, 0);
+    EXPECT_EQ(run("").code, 2);
+    const Outcome mistyped = run("rum x.toml");
+    EXPECT_EQ(mistyped.code, 2);
+    EXPECT_THAT(mistyped.err, HasSubstr("did you mean 'run'?"));
+    EXPECT_EQ(run("run").code, 2);
+    EXPECT_THAT(run("--version").out, HasSubstr("hamilcar 0."));
+}
+
+}  // namespace
+}  // namespace hamilcar

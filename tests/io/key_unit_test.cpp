@@ -1,0 +1,40 @@
+// Units are read off the end of a key.
+#include "hamilcar/io/key_unit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace hamilcar::io {
+namespace {
+
+TEST(KeyUnit, IsTheEndOfTheKey) {
+    EXPECT_EQ(unit_of_key("mass_kg").symbol, "kg");
+    EXPECT_EQ(unit_of_key("mass_kg").stem, "mass");
+    EXPECT_EQ(unit_of_key("center_of_mass_m").stem, "center_of_mass");
+    EXPECT_EQ(unit_of_key("inertia_kg_m2").symbol, "kg m^2");
+    EXPECT_EQ(unit_of_key("damping_N_s_per_m").symbol, "N s/m");
+    EXPECT_EQ(unit_of_key("windup_damping_N_m_s_per_rad").symbol, "N m s/rad");
+    EXPECT_EQ(unit_of_key("air_density_kg_per_m3").symbol, "kg/m^3");
+    EXPECT_EQ(unit_of_key("rack_m_per_revolution").symbol, "m/revolution");
+    EXPECT_EQ(unit_of_key("stabilization_gain_per_s").symbol, "1/s");
+    EXPECT_EQ(unit_of_key("stabilization_gain_per_s").stem, "stabilization_gain");
+}
+
+TEST(KeyUnit, MayBeNone) {
+    for (const std::string_view key : {"friction", "drag_coefficient", "longitudinal_stiffness_per_load", "m", ""}) {
+        EXPECT_EQ(unit_of_key(key).symbol, "") << key;
+        EXPECT_EQ(unit_of_key(key).stem, key);
+    }
+}
+
+TEST(KeyUnit, ConvertsDegreesAndPercent) {
+    EXPECT_DOUBLE_EQ(unit_of_key("camber_deg").to_si, M_PI / 180);
+    EXPECT_DOUBLE_EQ(unit_of_key("angular_velocity_deg_per_s").to_si, M_PI / 180);
+    EXPECT_EQ(unit_of_key("angular_velocity_deg_per_s").symbol, "deg/s");
+    EXPECT_EQ(unit_of_key("grade_percent").to_si, 0.01);
+    EXPECT_EQ(unit_of_key("mass_kg").to_si, 1);
+}
+
+}  // namespace
+}  // namespace hamilcar::io
