@@ -13,15 +13,16 @@ namespace {
 using hamilcar::io::ExitCode;
 namespace cli = hamilcar::cli;
 
-// "did you mean": CLI11 only says that a word is unexpected.
-void suggest_command(int argc, char** argv) {
+// CLI11 only says that a word is missing; the mistyped command and the nearest one help more.
+std::string mistyped_command(int argc, char** argv) {
     static constexpr std::string_view commands[] = {"run", "paper", "check"};
-    if (argc < 2 || argv[1][0] == '-') return;
+    if (argc < 2 || argv[1][0] == '-') return {};
     for (const std::string_view command : commands) {
-        if (command == argv[1]) return;
+        if (command == argv[1]) return {};
     }
     const auto nearest = hamilcar::io::nearest_word(argv[1], commands);
-    if (nearest) fmt::print(stderr, "hamilcar: unknown command '{}'; did you mean '{}'?\n", argv[1], *nearest);
+    return fmt::format("unknown command '{}': expected {}{}", argv[1], hamilcar::io::quoted_list(commands),
+                       nearest ? fmt::format("; did you mean '{}'?", *nearest) : "");
 }
 
 void add_common(CLI::App& command, cli::Options& options) {
@@ -32,8 +33,8 @@ int parse_failure(const CLI::App& app, const CLI::ParseError& error, int argc, c
     if (error.get_exit_code() == 0) {  // --help, --version
         return app.exit(error);
     }
-    suggest_command(argc, argv);
-    fmt::print(stderr, "hamilcar: {}\nTry 'hamilcar --help'.\n", error.what());
+    const std::string mistyped = mistyped_command(argc, argv);
+    fmt::print(stderr, "hamilcar: {}\nTry 'hamilcar --help'.\n", mistyped.empty() ? error.what() : mistyped);
     return static_cast<int>(ExitCode::usage);
 }
 

@@ -196,7 +196,11 @@ io::ExitCode paper(const Options& options) {
     facts["table_3"] = write_table_3(folder, scenario.solver.step);
     const RunSummary summary = write_motion_figures(folder, simulation, all_channels(vehicle));
     facts["run"] = summary_json(simulation, summary, {});
-    if (summary.interrupted) return io::ExitCode::interrupted;
+    if (summary.interrupted) {
+        fmt::print(stderr, "hamilcar: interrupted; Figures 11 to 14 end at t = {:.3f} s, Figure 9 is missing\n",
+                   summary.duration);
+        return io::ExitCode::interrupted;
+    }
     if (summary.ended_early) throw io::Error(io::ExitCode::numerical, *summary.ended_early);
     facts["figure_9"] = write_figure_9(folder, vehicle, scenario);
     facts["folder"] = folder;

@@ -15,6 +15,9 @@ namespace hamilcar::cli {
 
 namespace {
 
+// An energy balance off by more than this share of the largest kinetic energy is no simulation of the car any more.
+constexpr double doubtful_share = 0.01;
+
 struct Files {
     std::vector<std::unique_ptr<io::ResultWriter>> writers;
     std::vector<std::string> paths;
@@ -69,6 +72,14 @@ io::ExitCode run(const Options& options) {
         fmt::print("{}\n", facts.dump(2));
     } else {
         print_summary(facts);
+    }
+    if (summary.worst_energy_drift > doubtful_share * summary.largest_kinetic_energy &&
+        summary.worst_energy_drift > 1) {
+        fmt::print(
+            stderr,
+            "hamilcar: warning: the energy balance is off by {:.3g} J of {:.3g} J; the step of {:g} s is too large "
+            "for this run, its results are doubtful\n",
+            summary.worst_energy_drift, summary.largest_kinetic_energy, scenario.solver.step);
     }
     if (summary.interrupted) {
         fmt::print(stderr, "hamilcar: interrupted at t = {:.3f} s; the results so far are kept\n", summary.duration);

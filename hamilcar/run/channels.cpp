@@ -195,8 +195,8 @@ std::vector<Channel> select_channels(const std::vector<Channel>& all, const std:
         const auto nearest = io::nearest_word(name, known);
         throw io::Error(
             io::ExitCode::bad_file,
-            fmt::format("key 'output.channels': unknown channel \"{}\"{}; 'hamilcar check' lists all channels", name,
-                        nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : ""));
+            fmt::format("key 'output.channels': unknown channel \"{}\"{}; 'hamilcar check --json' lists all channels",
+                        name, nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : ""));
     }
     return chosen;
 }

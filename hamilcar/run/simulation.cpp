@@ -103,21 +103,7 @@ void Simulation::start() {
         rack.displacement = input.rack.displacement * i / lead_in;
         assembly = assemble(model_, rack, state_);
     }
-    if (!assembly.assembled) {
-        const LoopReport& loop = assembly.worst;
-        const std::string joint = cut_name(loop);
-        if (loop.mobility <= locked_mobility) {
-            throw io::Error(
-                io::ExitCode::numerical,
-                fmt::format("{}: the linkage is locked: its dependent coordinates cannot follow the "
-                            "independent ones (mobility {:.1e}, expected above {:.0e}); '{}' misses by {:.3f} mm",
-                            corner_name(loop.spoke), loop.mobility, locked_mobility, joint, 1e3 * loop.opening));
-        }
-        throw io::Error(
-            io::ExitCode::numerical,
-            fmt::format("{}: the hardpoints do not assemble: '{}' misses by {:.3f} mm (expected below {:.0e} mm)",
-                        corner_name(loop.spoke), joint, 1e3 * loop.opening, 1e3 * assembly_tolerance));
-    }
+    if (!assembly.assembled) throw io::Error(io::ExitCode::numerical, assembly_problem(assembly.worst));
     if (initial.settle) {
         const EquilibriumResult result = settle(model_, input, state_);
         if (!result.found) {
@@ -168,6 +154,17 @@ std::string Simulation::inspect(const Health<double>& health) const {
     }
     return fmt::format("{} came apart: '{}' stands open by {:.1f} mm", corner_name(worst.spoke), cut_name(worst),
                        1e3 * worst.opening);
+}
+
+std::string Simulation::assembly_problem(const LoopReport& loop) const {
+    if (loop.mobility <= locked_mobility) {
+        return fmt::format(
+            "{}: the linkage is locked: its arms and rods cannot follow the wheel's travel from here "
+            "(mobility {:.1e}, expected above {:.0e}); two of them may share a point or a line",
+            corner_name(loop.spoke), loop.mobility, locked_mobility);
+    }
+    return fmt::format("{}: the hardpoints do not assemble: '{}' misses by {:.3f} mm (expected below {:.0e} mm)",
+                       corner_name(loop.spoke), cut_name(loop), 1e3 * loop.opening, 1e3 * assembly_tolerance);
 }
 
 std::string Simulation::cut_name(const LoopReport& loop) const {

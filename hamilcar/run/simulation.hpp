@@ -58,6 +58,7 @@ public:
 private:
     void start();
     std::string inspect(const Health<double>& health) const;
+    std::string assembly_problem(const LoopReport& loop) const;
     std::string cut_name(const LoopReport& loop) const;
     std::string corner_name(int spoke) const { return vehicle_.corners[static_cast<std::size_t>(spoke)].name; }
 

@@ -269,6 +269,16 @@ TEST_F(Program, StopsAtTheStepThatGoesBad) {
     EXPECT_GT(fs::file_size(folder_ / "results/results.csv"), 100u);
 }
 
+TEST_F(Program, WarnsWhenTheStepIsTooLargeForTheBooks) {
+    const Outcome r = run("run " +
+                          scenario_for(shipped,
+                                       "[solver]\nstep_s = 0.02\nintegrator = \"rk4\"\n[initial]\n"
+                                       "velocity_m_per_s = 20\n") +
+                          " -o results");
+    EXPECT_EQ(r.code, 0);
+    EXPECT_THAT(r.err, HasSubstr("warning: the energy balance is off by"));
+}
+
 TEST_F(Program, HelpsWithTheCommandLine) {
     EXPECT_EQ(run("--help").code, 0);
     EXPECT_EQ(run("").code, 2);

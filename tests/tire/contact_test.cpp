@@ -16,7 +16,9 @@ namespace {
 constexpr double radius = 0.2948;
 constexpr double exact = 1e-14;  // some ten roundings of numbers near one
 
-RoadPlane<double> sloping_road() { return {Vec3<double>(-0.12, 0.08, 1).normalized(), 0.07, 1}; }
+RoadPlane<double> sloping_road() {
+    return {Vec3<double>(-0.12, 0.08, 1).normalized(), 0.07, 1};
+}
 
 struct Wheel {
     Vec3<double> center, axis;

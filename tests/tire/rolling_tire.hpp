@@ -6,7 +6,9 @@
 
 namespace hamilcar::test {
 
-inline LinearTireDescription shipped_tire() { return std::get<LinearTireDescription>(shipped_car().corners[0].tire); }
+inline LinearTireDescription shipped_tire() {
+    return std::get<LinearTireDescription>(shipped_car().corners[0].tire);
+}
 
 // A contact at rest under a vertical load; on a road of friction factor one.
 inline TireContact<double> loaded(const LinearTireDescription& tire, double load) {
@@ -38,7 +40,9 @@ inline TireForce<double> settled(const LinearTireDescription& description, TireC
     const double length = std::max(description.relaxation_longitudinal, description.relaxation_lateral);
     const double speed = std::max(std::abs(c.v_x), 0.5), h = 0.2 * 0.2 / (speed + LinearTire<double>::return_speed);
     Deflection<double> d{c.u, c.v};
-    for (double t = 0; t < 40 * length / speed; t += h) advance(tire, [&](double) { return c; }, t, h, d);
+    for (double t = 0; t < 40 * length / speed; t += h)
+        advance(
+            tire, [&](double) { return c; }, t, h, d);
     c.u = d.u, c.v = d.v;
     return tire.force(c);
 }
