@@ -161,6 +161,10 @@ struct Mistake {
     std::vector<std::string> message;
 };
 
+void PrintTo(const Mistake& mistake, std::ostream* out) {
+    *out << mistake.name;
+}
+
 class Mistakes : public Program, public testing::WithParamInterface<Mistake> {};
 
 TEST_P(Mistakes, EndWithOneMessageAndItsCode) {

@@ -83,6 +83,11 @@ struct BadInput {
     std::vector<std::string> pieces;  // of the message
 };
 
+// The name a test runner shows.
+inline void PrintTo(const BadInput& bad, std::ostream* out) {
+    *out << bad.name;
+}
+
 inline void expect_refused(const std::string& good, const BadInput& bad, const std::function<void(std::string)>& read) {
     const TemporaryFolder folder;
     const std::string text = changed(good, bad.from, bad.to), path = folder.write("changed.toml", text);

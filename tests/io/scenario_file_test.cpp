@@ -125,12 +125,12 @@ TEST(ScenarioFile, ABaseIsOverriddenKeyByKey) {
     folder.write("everything.toml", complete);
     const auto scenario =
         read_scenario(folder.write("icy.toml",
-                                   "base = 'everything.toml'\nroad.friction = 0.1\nsolver.stabilization = 'paper'\n"
+                                   "base = 'everything.toml'\nroad.friction = 0.1\nsolver.stabilization = 'limit'\n"
                                    "inputs.rack.displacement_m = 0.02\noutput.channels = ['time']\n"));
     EXPECT_EQ(scenario.name, "everything");
     EXPECT_EQ(scenario.road.friction, 0.1);
     EXPECT_DOUBLE_EQ(scenario.road.grade, 0.15);
-    EXPECT_EQ(scenario.solver.stabilization, StabilizationRule::paper);
+    EXPECT_EQ(scenario.solver.stabilization, StabilizationRule::limit);
     EXPECT_EQ(scenario.steering_input, SteeringInput::rack);
     EXPECT_THAT(scenario.output.channels, ElementsAre("time"));
 }
@@ -170,7 +170,16 @@ const std::vector<BadInput> bad_scenarios{
      "0\n[solver]",
      {"key 'duration_s' = 0: expected a positive number [s]"}},
     {"NegativeStep", "step_s = 2e-3", "step_s = -2e-3", "-2e-3", {"'solver.step_s' = -2e-3", "positive number [s]"}},
-    {"StepAboveDuration", "step_s = 2e-3", "step_s = 20", "10.0", {"'duration_s' = 10.0", "one step of 20 [s]"}},
+    {"StepAboveDuration",
+     "duration_s = 10.0",
+     "duration_s = 1e-3",
+     "1e-3",
+     {"'duration_s' = 1e-3", "one step of 0.002 [s]"}},
+    {"GainBeyondTheLimit",
+     "stabilization_gain_per_s = 400",
+     "stabilization_gain_per_s = 900",
+     "900",
+     {"'solver.stabilization_gain_per_s' = 900", "less than 642.4", "a step below 0.00143 s", "[1/s]"}},
     {"UnknownIntegrator",
      "\"abm4\"",
      "\"abm44\"",

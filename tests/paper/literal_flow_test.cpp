@@ -32,50 +32,50 @@ protected:
     }();
     Rotors p_s{30, 28, -12, 31};
 
-    Rate rate(const LiteralCar& car, const State& s) const {
-        const Vector adot = car.adot(s.q, s.P_a, p_s);
-        return {car.qdot(s.q, adot), car.P_a_dot(s.q, adot, car.gravity(s.q), p_s)};
+    Rate rate(const LiteralCar& literal, const State& s) const {
+        const Vector adot = literal.adot(s.q, s.P_a, p_s);
+        return {literal.qdot(s.q, adot), literal.P_a_dot(s.q, adot, literal.gravity(s.q), p_s)};
     }
 
-    static State moved(const LiteralCar& car, const State& s, const Rate& f, double t) {
-        return {car.moved(s.q, f.qdot, t), s.P_a + f.P_a_dot * t};
+    static State moved(const LiteralCar& literal, const State& s, const Rate& f, double t) {
+        return {literal.moved(s.q, f.qdot, t), s.P_a + f.P_a_dot * t};
     }
 
     // One step of the classical Runge-Kutta method.
-    State step(const LiteralCar& car, const State& s, double h) const {
-        const Rate k1 = rate(car, s), k2 = rate(car, moved(car, s, k1, h / 2));
-        const Rate k3 = rate(car, moved(car, s, k2, h / 2)), k4 = rate(car, moved(car, s, k3, h));
+    State step(const LiteralCar& literal, const State& s, double h) const {
+        const Rate k1 = rate(literal, s), k2 = rate(literal, moved(literal, s, k1, h / 2));
+        const Rate k3 = rate(literal, moved(literal, s, k2, h / 2)), k4 = rate(literal, moved(literal, s, k3, h));
         const Rate mean{(k1.qdot + 2 * k2.qdot + 2 * k3.qdot + k4.qdot) / 6,
                         (k1.P_a_dot + 2 * k2.P_a_dot + 2 * k3.P_a_dot + k4.P_a_dot) / 6};
-        return moved(car, s, mean, h);
+        return moved(literal, s, mean, h);
     }
 
-    Vector Yhat(const LiteralCar& car, const State& s) const {
-        return car.BH(s.q) * car.adot(s.q, s.P_a, p_s) + car.BX(s.q);  // (42)
+    Vector Yhat(const LiteralCar& literal, const State& s) const {
+        return literal.BH(s.q) * literal.adot(s.q, s.P_a, p_s) + literal.BX(s.q);  // (42)
     }
 
     // State-space momenta of the five bodies with their wheels.
-    Vector momentum(const LiteralCar& car, const State& s) const {
-        return car.Mhat(s.q) * Yhat(car, s) + car.rotor_momentum(s.q, p_s);
+    Vector momentum(const LiteralCar& literal, const State& s) const {
+        return literal.Mhat(s.q) * Yhat(literal, s) + literal.rotor_momentum(s.q, p_s);
     }
 
     // Kinetic and potential energy; p_s is constant, and so is the energy of the spins.
-    double energy(const LiteralCar& car, const State& s) const {
-        const Vector Y = Yhat(car, s);
-        double E = 0.5 * Y.dot(car.Mhat(s.q) * Y);
-        const auto pose = car.poses(s.q);
+    double energy(const LiteralCar& literal, const State& s) const {
+        const Vector Y = Yhat(literal, s);
+        double E = 0.5 * Y.dot(literal.Mhat(s.q) * Y);
+        const auto pose = literal.poses(s.q);
         for (int j = 1; j <= 5; ++j) {
-            E += car.body(j).m * description.gravity * pose[static_cast<std::size_t>(j - 1)].r.z();
+            E += literal.body(j).m * description.gravity * pose[static_cast<std::size_t>(j - 1)].r.z();
         }
         return E;
     }
 
-    State start(const LiteralCar& car, Coordinates q) const { return {q, car.P_a(q, general_rates(), p_s)}; }
+    State start(const LiteralCar& literal, Coordinates q) const { return {q, literal.P_a(q, general_rates(), p_s)}; }
 };
 
-double total_mass(const LiteralCar& car) {
+double total_mass(const LiteralCar& literal) {
     double m = 0;
-    for (int j = 1; j <= 5; ++j) m += car.body(j).m;
+    for (int j = 1; j <= 5; ++j) m += literal.body(j).m;
     return m;
 }
 

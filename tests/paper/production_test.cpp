@@ -65,6 +65,10 @@ struct Case {
     bool open_joints;
 };
 
+void PrintTo(const Case& test, std::ostream* out) {
+    *out << test.name;
+}
+
 class Production : public testing::TestWithParam<Case> {
 protected:
     Production()

@@ -50,7 +50,8 @@ public:
     // Of the steering axis, from the ball joint to the strut's top [deg].
     double caster_at(double travel) {
         at(travel);
-        const auto& points = std::get<MacPhersonDescription>(test::shipped_car().corners[0].suspension);
+        const VehicleDescription car = test::shipped_car();
+        const auto& points = std::get<MacPhersonDescription>(car.corners[0].suspension);
         const auto velocity = velocity_block(model_, state_, input_);
         return visit_spoke(model_.vehicle, velocity, index_, [&](const auto&, const auto&, const auto& spoke) {
             const Vec3<double> C = spoke.position.pose.point(vec3(points.ball_joint)), T = vec3(points.strut_top);
@@ -84,6 +85,9 @@ private:
 struct FrontRow {
     double travel_mm, camber, toe, caster, center_x_mm, contact_y_mm, strut_mm;
 };
+void PrintTo(const FrontRow& row, std::ostream* out) {
+    *out << row.travel_mm << "mm";
+}
 class FrontKinematics : public testing::TestWithParam<FrontRow> {};
 
 TEST_P(FrontKinematics, MatchesTable23) {
@@ -111,6 +115,9 @@ INSTANTIATE_TEST_SUITE_P(Table23, FrontKinematics,
 struct RearRow {
     double travel_mm, camber, toe, center_x_mm, contact_y_mm;
 };
+void PrintTo(const RearRow& row, std::ostream* out) {
+    *out << row.travel_mm << "mm";
+}
 class RearKinematics : public testing::TestWithParam<RearRow> {};
 
 TEST_P(RearKinematics, MatchesTable24) {
@@ -142,6 +149,9 @@ TEST(RearArm, AnglesMatchTable24) {
 struct SteerRow {
     double rack_mm, steer;
 };
+void PrintTo(const SteerRow& row, std::ostream* out) {
+    *out << row.rack_mm << "mm";
+}
 class Steer : public testing::TestWithParam<SteerRow> {};
 
 TEST_P(Steer, FollowsTheRack) {

@@ -212,6 +212,17 @@ TEST(LinearTire, RelaxesByRolledLength) {
     }
 }
 
+// Beyond the slip where sliding sets in, the surplus goes at 20 m/s per relaxation length, toward the limit.
+TEST(LinearTire, SlidingReturnsTheSurplusDeflection) {
+    const auto tire = test::shipped_tire();
+    const double limit = tire.friction / lateral_stiffness(tire, front_load);
+    auto contact = test::loaded(tire, front_load);
+    for (const double surplus : {0.0, 0.01, 0.5}) {
+        contact.v = tire.relaxation_lateral * (limit + surplus);
+        EXPECT_NEAR(LinearTire<double>(tire).force(contact).v_rate, -20 * surplus, 1e-12);
+    }
+}
+
 TEST(LinearTire, RollingResistanceOpposesTheSpin) {
     const auto tire = test::shipped_tire();
     auto contact = test::loaded(tire, front_load);

@@ -1,0 +1,148 @@
+// Inputs over time: through every point of the table, never beyond its neighbors, with a rate and an acceleration that are
+// derivatives of the value; and a steering wheel that becomes a rack.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "hamilcar/driver/schedule.hpp"
+#include "support/difference.hpp"
+
+namespace hamilcar {
+namespace {
+
+// Rises, rests, falls steeply, turns back; uneven spacing.
+const SignalDescription smooth{{0.5, 1.0, 1.2, 3.0, 3.1, 5.0, 5.5}, {0, 0.4, 1.0, 1.0, -2.0, -2.5, 0.3}};
+const SignalDescription straight{smooth.time, smooth.value, Interpolation::linear};
+
+TEST(Signal, PassesThroughItsPoints) {
+    for (const auto& description : {smooth, straight}) {
+        const Signal signal(description);
+        for (std::size_t i = 0; i < description.time.size(); ++i) {
+            EXPECT_NEAR(signal.at(description.time[i]).value, description.value[i], 1e-15);
+        }
+    }
+}
+
+TEST(Signal, StaysBetweenNeighboringPointsAndNeverTurnsBack) {
+    const Signal signal(smooth);
+    for (std::size_t i = 0; i + 1 < smooth.time.size(); ++i) {
+        const double rise = smooth.value[i + 1] - smooth.value[i];
+        double before = smooth.value[i];
+        for (int k = 1; k <= 1000; ++k) {
+            const double time = smooth.time[i] + (smooth.time[i + 1] - smooth.time[i]) * k / 1000;
+            const double value = signal.at(time).value;
+            EXPECT_GE((value - before) * (rise < 0 ? -1 : 1), -1e-15) << "turned back at " << time;
+            EXPECT_TRUE(rise != 0 || value == smooth.value[i]) << "must rest at " << time;
+            before = value;
+        }
+        EXPECT_NEAR(before, smooth.value[i + 1], 1e-14);
+    }
+}
+
+TEST(Signal, RateAndAccelerationAreDerivatives) {
+    for (const auto& description : {smooth, straight}) {
+        const Signal signal(description);
+        for (std::size_t i = 0; i + 1 < description.time.size(); ++i) {
+            const double h = description.time[i + 1] - description.time[i];
+            for (const double share : {0.1, 0.37, 0.5, 0.8}) {  // cubic inside a piece: differences leave round-off
+                const double time = description.time[i] + share * h;
+                const auto at = signal.at(time);
+                const auto value = [&](double t) { return signal.at(t).value; };
+                const auto rate = [&](double t) { return signal.at(t).rate; };
+                EXPECT_NEAR(at.rate, test::derivative(value, time, 1e-3), 1e-10);
+                EXPECT_NEAR(at.acceleration, test::derivative(rate, time, 1e-3), 1e-8);
+            }
+        }
+    }
+}
+
+TEST(Signal, RateIsContinuousWhenSmooth) {
+    const Signal signal(smooth);
+    for (const double time : smooth.time) {
+        EXPECT_NEAR(signal.at(time - 1e-9).rate, signal.at(time + 1e-9).rate, 1e-5)
+            << "accelerations up to 2000 over 2 ns";
+    }
+    EXPECT_EQ(signal.at(0.5).rate, 0) << "joins the constant outside";
+    EXPECT_EQ(signal.at(5.5).rate, 0);
+}
+
+TEST(Signal, IsStraightBetweenPointsWhenLinear) {
+    const Signal signal(straight);
+    EXPECT_NEAR(signal.at(0.75).value, 0.2, 1e-15);
+    EXPECT_NEAR(signal.at(3.05).value, -0.5, 1e-12);
+    EXPECT_NEAR(signal.at(3.05).rate, -30, 1e-12);
+    EXPECT_EQ(signal.at(3.05).acceleration, 0);
+}
+
+TEST(Signal, IsConstantOutsideItsTable) {
+    for (const auto& description : {smooth, straight}) {
+        const Signal signal(description);
+        for (const auto& [time, value] : {std::pair{-10.0, 0.0}, {0.49, 0.0}, {5.51, 0.3}, {1e6, 0.3}}) {
+            EXPECT_EQ(signal.at(time).value, value);
+            EXPECT_EQ(signal.at(time).rate, 0);
+            EXPECT_EQ(signal.at(time).acceleration, 0);
+        }
+    }
+}
+
+TEST(Signal, OfOnePointIsConstantAndOfNoneIsZero) {
+    for (const double time : {-1.0, 2.0, 7.0}) {
+        EXPECT_EQ(Signal(SignalDescription{{2}, {0.7}}).at(time).value, 0.7);
+        EXPECT_EQ(Signal(SignalDescription{{2}, {0.7}}).at(time).rate, 0);
+        EXPECT_EQ(Signal().at(time).value, 0);
+        EXPECT_EQ(Signal(SignalDescription{}).at(time).value, 0);
+    }
+}
+
+TEST(Signal, ScalesValueRateAndAcceleration) {
+    const Signal plain(smooth), scaled(smooth, -3);
+    for (const double time : {0.0, 0.7, 1.1, 4.0, 9.0}) {
+        const auto a = plain.at(time), b = scaled.at(time);
+        EXPECT_NEAR(b.value, -3 * a.value, 1e-13);
+        EXPECT_NEAR(b.rate, -3 * a.rate, 1e-12);
+        EXPECT_NEAR(b.acceleration, -3 * a.acceleration, 1e-11);
+    }
+}
+
+ScenarioDescription steered(SteeringInput input) {
+    ScenarioDescription scenario;
+    scenario.steering_input = input;
+    scenario.steering = {{0, 2}, {0, std::numbers::pi}};
+    scenario.drive = {{0, 1}, {0, 600}, Interpolation::linear};
+    scenario.brake = {{1, 2}, {0, 0.8}, Interpolation::linear};
+    return scenario;
+}
+const SteeringDescription steering{.rack_per_revolution = 0.0365, .rack_travel = 0.073};
+
+TEST(Schedule, TurnsTheSteeringWheelIntoTheRack) {
+    const Schedule schedule(steered(SteeringInput::steering_wheel), steering);
+    EXPECT_NEAR(schedule(3).rack.displacement, 0.0365 / 2, 1e-15) << "half a turn";
+    const Input<double> middle = schedule(1);  // smooth from rest to rest: 3 s^2 - 2 s^3 over two seconds
+    EXPECT_NEAR(middle.rack.displacement, 0.0365 / 4, 1e-15);
+    EXPECT_NEAR(middle.rack.rate, 1.5 * 0.0365 / 2 / 2, 1e-15);
+    EXPECT_NEAR(schedule(0.5).rack.acceleration, (6 - 12 * 0.25) * 0.0365 / 2 / 4, 1e-15);
+}
+
+TEST(Schedule, TakesARackDisplacementAsItIs) {
+    const Schedule schedule(steered(SteeringInput::rack), steering);
+    EXPECT_EQ(schedule(3).rack.displacement, std::numbers::pi);
+}
+
+TEST(Schedule, LeavesTheRackAloneWithoutSteering) {
+    const Schedule schedule(steered(SteeringInput::none), steering);
+    for (const double time : {0.0, 1.0, 3.0}) {
+        EXPECT_EQ(schedule(time).rack.displacement, 0);
+        EXPECT_EQ(schedule(time).rack.rate, 0);
+    }
+}
+
+TEST(Schedule, PassesDriveAndBrakeOn) {
+    const Schedule schedule(steered(SteeringInput::rack), steering);
+    EXPECT_NEAR(schedule(0.5).drive_torque, 300, 1e-12);
+    EXPECT_EQ(schedule(0.5).brake, 0);
+    EXPECT_NEAR(schedule(1.5).brake, 0.4, 1e-15);
+    EXPECT_EQ(schedule(5).drive_torque, 600);
+}
+
+}  // namespace
+}  // namespace hamilcar
