@@ -26,7 +26,6 @@ public:
 
     explicit Moving(const S& suspension) : suspension_(suspension) {}
     const Linkage& linkage() const { return suspension_.linkage; }
-
     Independent design() const { return Eigen::Map<const Independent>(suspension_.design.data()); }
     Independent V(double t) const {
         Independent V = design();
@@ -59,9 +58,7 @@ public:
     Dependent stabilized(double t0, double t) const {
         const auto rate = [&](double at, const Dependent& W) {
             const auto p = position(V(at), W, rack(at), gain);
-            Dependent rates = Dependent::Zero();
-            if constexpr (nW > 0) rates = p.H * V_rate(at) + p.X;
-            return rates;
+            return Dependent(p.H * V_rate(at) + p.X);
         };
         const double h = (t - t0) / 8;
         Dependent W = opened(t0);

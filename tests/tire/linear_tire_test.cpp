@@ -233,19 +233,5 @@ TEST(LinearTire, RollingResistanceOpposesTheSpin) {
     EXPECT_EQ(LinearTire<double>(tire).force(contact).rolling_moment, 0) << "a standing wheel is not pushed";
 }
 
-TEST(SpringTire, PullsAsItPushesAndNothingElse) {
-    const SpringTire<double> tire({.radius = 0.3, .rolling_radius = 0.29, .vertical_stiffness = 180e3});
-    std::mt19937 source(3);
-    for (int i = 0; i < 100; ++i) {
-        const auto contact = random_contact(source);
-        const auto force = tire.force(contact);
-        const double gradient = test::derivative([&](double at) { return tire.potential(at); }, contact.depth, 1e-4);
-        EXPECT_NEAR(force.Fz, gradient, 1e-6);
-        EXPECT_EQ(force.Fz, force.elastic);
-        for (const double none : {force.Fx, force.Fy, force.rolling_moment, force.u_rate, force.v_rate})
-            EXPECT_EQ(none, 0);
-    }
-}
-
 }  // namespace
 }  // namespace hamilcar
