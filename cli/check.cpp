@@ -1,7 +1,6 @@
 // `hamilcar check FILE`: validates, assembles, and counts.
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -13,17 +12,6 @@
 namespace hamilcar::cli {
 
 namespace {
-
-// A scenario file names a vehicle; a vehicle file has a chassis. A file that cannot be read counts as a vehicle, whose
-// reader says what is wrong.
-bool is_scenario(const std::string& path) {
-    std::ifstream file(path);
-    for (std::string line; std::getline(file, line);) {
-        const auto start = line.find_first_not_of(" \t");
-        if (start != std::string::npos && line.compare(start, 7, "vehicle") == 0) return true;
-    }
-    return false;
-}
 
 ScenarioDescription standing_still(const std::string& vehicle_path) {
     ScenarioDescription scenario;
@@ -121,7 +109,7 @@ std::string report(const nlohmann::json& facts) {
 
 io::ExitCode check(const Options& options) {
     const ScenarioDescription scenario =
-        is_scenario(options.file) ? io::read_scenario(options.file) : standing_still(options.file);
+        io::is_scenario(options.file) ? io::read_scenario(options.file) : standing_still(options.file);
     const VehicleDescription vehicle = io::read_vehicle(scenario.vehicle);
     in_file(options.file, [&] { return select_channels(all_channels(vehicle), scenario.output.channels); });
     const Simulation simulation = in_file(options.file, [&] { return Simulation(vehicle, scenario); });

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -21,10 +20,12 @@ namespace hamilcar::cli {
 namespace {
 
 constexpr double figure_interval = 0.01;  // between points [s]
-// Gains of Fig. 9: around the paper's 400, and on both sides of 6/11 of the step's inverse at 1 ms.
+// Gains of Fig. 9 [1/s] for third-order Adams-Bashforth at 1 ms, around the paper's 400 and on both sides of the limit;
+// another method or step has them in the same ratio to its own limit.
 const std::vector<double> sweep_gains{10, 25, 50, 100, 150, 200, 250, 300, 350, 400, 450, 500, 540, 550, 600, 800};
 const std::vector<double> shown_gains{50, 200, 400, 500};
 constexpr double paper_gain = 400, paper_norm = 0.005;
+constexpr double paper_limit_gain = 6.0 / 11 / 1e-3;  // [1/s]
 
 std::string paper_scenario() {
     for (const std::string& folder :
@@ -81,7 +82,8 @@ nlohmann::json write_table_2(const std::string& folder, const Simulation& simula
     return {{"constraints", total},
             {"coordinates", 7 * counted.bodies},
             {"as_printed", 7 * counted.bodies - total},
-            {"degrees_of_freedom", counted.degrees_of_freedom}};
+            {"degrees_of_freedom", counted.degrees_of_freedom},
+            {"cut_equations", counted.cut_equations}};
 }
 
 nlohmann::json write_table_3(const std::string& folder, double step) {
@@ -121,48 +123,73 @@ RunSummary write_motion_figures(const std::string& folder, Simulation& simulatio
     return summary;
 }
 
-nlohmann::json write_figure_9(const std::string& folder, const VehicleDescription& vehicle,
-                              const ScenarioDescription& scenario) {
-    const auto runs = stabilization_sweep(vehicle, scenario, sweep_gains, figure_interval);
-    const double limit = find_method(scenario.solver.integrator)->real_axis_limit / scenario.solver.step;
-    std::string sweep = "alpha [1/s],alpha h,rms norm of Phi,largest norm of Phi,reached [s],stable\n";
+// The sweep as rows of a table and as curves of the two pictures.
+struct Figure9 {
+    std::string table = "alpha [1/s],alpha h,rms norm of Phi,largest norm of Phi,reached [s],stable\n";
     io::Chart over_time{"Fig. 9  Norm of the constraint violations", "time [s]", "|Phi|", {}, true, {}};
     io::Curve rms{"root mean square over the run", {}, {}, true}, largest{"largest", {}, {}, true};
-    const SweepRun* best = nullptr;
-    const SweepRun* at_paper = nullptr;
-    double first_unstable = 0;
-    for (const SweepRun& run : runs) {
-        sweep += fmt::format("{},{:.6g},{},{},{:.6g},{}\n", run.gain, run.gain * scenario.solver.step, run.rms_norm,
-                             run.max_norm, run.ended, run.blew_up ? "no" : "yes");
-        if (run.gain == paper_gain) at_paper = &run;
-        if (run.blew_up && first_unstable == 0) first_unstable = run.gain;
-        if (!run.blew_up) {
-            rms.x.push_back(run.gain), rms.y.push_back(run.rms_norm);
-            largest.x.push_back(run.gain), largest.y.push_back(run.max_norm);
-            if (!best || run.rms_norm < best->rms_norm) best = &run;
-        }
-        if (std::find(shown_gains.begin(), shown_gains.end(), run.gain) == shown_gains.end()) continue;
+
+    void add(const SweepRun& run, double step) {
+        table += fmt::format("{},{:.6g},{},{},{:.6g},{}\n", run.gain, run.gain * step, run.rms_norm, run.max_norm,
+                             run.ended, run.blew_up ? "no" : "yes");
+        if (run.blew_up) return;
+        rms.x.push_back(run.gain), rms.y.push_back(run.rms_norm);
+        largest.x.push_back(run.gain), largest.y.push_back(run.max_norm);
+    }
+    void show(const SweepRun& run, const std::string& folder) {
         io::Curve curve{fmt::format("alpha = {:g}", run.gain), run.time, run.norm};
         for (double& y : curve.y) y = std::max(y, 1e-17);  // zero has no logarithm
         over_time.curves.push_back(curve);
         write_columns(fmt::format("{}/fig09_alpha_{:g}.csv", folder, run.gain), {"time [s]", "|Phi|"},
                       {&run.time, &run.norm});
     }
-    write_file(folder + "/fig09_sweep.csv", sweep);
-    io::write_chart(folder + "/fig09_norm_over_time.svg", over_time);
+};
+
+nlohmann::json write_figure_9(const std::string& folder, const VehicleDescription& vehicle,
+                              const ScenarioDescription& scenario) {
+    const double step = scenario.solver.step, limit = find_method(scenario.solver.integrator)->real_axis_limit / step;
+    const double scale = limit / paper_limit_gain;
+    std::vector<double> gains;
+    for (const double gain : sweep_gains) gains.push_back(gain * scale);
+    const auto runs = stabilization_sweep(vehicle, scenario, gains, figure_interval, [] { return !interrupted(); });
+    if (runs.size() < gains.size()) return nullptr;
+    Figure9 figure;
+    nlohmann::json facts{{"paper_claim", {{"least_at_gain_per_s", paper_gain}, {"norm", paper_norm}}},
+                         {"stability_limit_per_s", limit},
+                         {"first_unstable_gain_per_s", nullptr},
+                         {"least_rms_at_gain_per_s", nullptr},
+                         {"least_rms_norm", nullptr}};
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const SweepRun& run = runs[i];
+        figure.add(run, step);
+        if (std::find(shown_gains.begin(), shown_gains.end(), sweep_gains[i]) != shown_gains.end())
+            figure.show(run, folder);
+        if (sweep_gains[i] == paper_gain) {
+            facts["paper_gain_per_s"] = run.gain;
+            facts["rms_norm_at_paper_gain"] = run.rms_norm;
+            facts["largest_norm_at_paper_gain"] = run.max_norm;
+        }
+        auto& unstable = facts["first_unstable_gain_per_s"];
+        if (run.blew_up && unstable.is_null()) unstable = run.gain;
+        auto& least = facts["least_rms_norm"];
+        if (!run.blew_up && (least.is_null() || run.rms_norm < least.get<double>())) {
+            least = run.rms_norm;
+            facts["least_rms_at_gain_per_s"] = run.gain;
+        }
+    }
+    write_file(folder + "/fig09_sweep.csv", figure.table);
+    io::write_chart(folder + "/fig09_norm_over_time.svg", figure.over_time);
     io::write_chart(folder + "/fig09_norm_over_alpha.svg", {"Fig. 9 swept: constraint violation against the gain",
                                                             "alpha [1/s]",
                                                             "norm of Phi",
-                                                            {rms, largest},
+                                                            {figure.rms, figure.largest},
                                                             true,
                                                             {{limit, fmt::format("stability limit {:.0f}", limit)}}});
-    return {{"paper_claim", {{"least_at_gain_per_s", paper_gain}, {"norm", paper_norm}}},
-            {"least_rms_at_gain_per_s", best ? nlohmann::json(best->gain) : nlohmann::json(nullptr)},
-            {"least_rms_norm", best ? nlohmann::json(best->rms_norm) : nlohmann::json(nullptr)},
-            {"rms_norm_at_paper_gain", at_paper->rms_norm},
-            {"largest_norm_at_paper_gain", at_paper->max_norm},
-            {"stability_limit_per_s", limit},
-            {"first_unstable_gain_per_s", first_unstable}};
+    return facts;
+}
+
+std::string number(const nlohmann::json& value, const char* format) {
+    return value.is_null() ? "none" : fmt::format(fmt::runtime(format), value.get<double>());
 }
 
 void print_paper(const nlohmann::json& facts, const std::string& folder) {
@@ -174,11 +201,12 @@ void print_paper(const nlohmann::json& facts, const std::string& folder) {
         facts["table_2"]["as_printed"].get<int>(), facts["table_2"]["degrees_of_freedom"].get<int>());
     fmt::print("Table 3   ST_3 = 0.4 in print, 6/11 exactly\n");
     fmt::print("Figure 9  paper: least violation at alpha = {:g}, norm about {:g}\n", paper_gain, paper_norm);
-    fmt::print("          here:  least RMS norm {:.2e} at alpha = {:g}; at {:g} RMS {:.2e}, largest {:.2e}\n",
-               fig9["least_rms_norm"].get<double>(), fig9["least_rms_at_gain_per_s"].get<double>(), paper_gain,
-               fig9["rms_norm_at_paper_gain"].get<double>(), fig9["largest_norm_at_paper_gain"].get<double>());
-    fmt::print("          the run is lost from alpha = {:g} on; the limit is alpha h = 6/11, alpha = {:.1f}\n",
-               fig9["first_unstable_gain_per_s"].get<double>(), fig9["stability_limit_per_s"].get<double>());
+    fmt::print("          here:  least RMS norm {} at alpha = {}; at {} RMS {}, largest {}\n",
+               number(fig9["least_rms_norm"], "{:.2e}"), number(fig9["least_rms_at_gain_per_s"], "{:.4g}"),
+               number(fig9["paper_gain_per_s"], "{:.4g}"), number(fig9["rms_norm_at_paper_gain"], "{:.2e}"),
+               number(fig9["largest_norm_at_paper_gain"], "{:.2e}"));
+    fmt::print("          first run lost: alpha = {}; the stability limit S / h is {}\n",
+               number(fig9["first_unstable_gain_per_s"], "{:.4g}"), number(fig9["stability_limit_per_s"], "{:.1f}"));
     fmt::print("\nData (.csv) and pictures (.svg) are in {}/\n", folder);
 }
 
@@ -202,7 +230,14 @@ io::ExitCode paper(const Options& options) {
         return io::ExitCode::interrupted;
     }
     if (summary.ended_early) throw io::Error(io::ExitCode::numerical, *summary.ended_early);
+    if (facts["table_2"]["cut_equations"] == 0) {
+        throw io::Error(io::ExitCode::bad_file, file + ": Figure 9 shows cut constraints, and this car has none");
+    }
     facts["figure_9"] = write_figure_9(folder, vehicle, scenario);
+    if (facts["figure_9"].is_null()) {
+        fmt::print(stderr, "hamilcar: interrupted; Figure 9 is missing\n");
+        return io::ExitCode::interrupted;
+    }
     facts["folder"] = folder;
     write_file(folder + "/summary.json", facts.dump(2) + "\n");
     if (options.json) {

@@ -50,8 +50,7 @@ State<double> design_state(const Model<double>& model, const Vec3<double>& posit
         const Eigen::Quaterniond q(R_GC);
         state.orientation() << q.w(), q.x(), q.y(), q.z();
     } else {
-        state.orientation() << std::atan2(-R_GC(1, 2), R_GC(2, 2)), std::asin(std::clamp(R_GC(0, 2), -1.0, 1.0)),
-            std::atan2(-R_GC(0, 1), R_GC(0, 0)), 0;
+        state.orientation() << bryant_angles(R_GC), 0;
     }
     for (int i = 0; i < model.vehicle.spoke_count(); ++i) {
         std::visit(
@@ -67,33 +66,42 @@ State<double> design_state(const Model<double>& model, const Vec3<double>& posit
 
 namespace {
 
-// Deflections and wind-up with which each wheel carries its share of the weight's pull along the road.
+double rolling_radius(const Spoke<double>& spoke) {
+    return std::visit([](const auto& tire) { return tire.rolling_radius; }, spoke.tire);
+}
+
+// Deflections and wind-up with which the wheels carry the weight's pull along the road: across it every wheel by its load,
+// along it the braked ones, if their brakes can.
 void hold_on_slope(const Model<double>& model, const Input<double>& input, const Momenta<double>& momenta,
                    const Vec3<double>& gravity, State<double>& state) {
     const int count = model.vehicle.spoke_count();
-    std::array<double, max_spokes> along{}, across{};
-    bool brakes_hold = true;
+    const auto braking_torque = [&](int i) { return input.brake * model.vehicle.spokes[i].brake.max_torque; };
+    const auto load = [&](int i) { return momenta.spokes[i].forces.tire.Fz; };
+    double total_load = 0, braked_load = 0;
     for (int i = 0; i < count; ++i) {
-        const Spoke<double>& spoke = model.vehicle.spokes[i];
+        total_load += load(i);
+        if (braking_torque(i) > 0) braked_load += load(i);
+    }
+    const double share = braked_load > 0 ? total_load / braked_load : 0;
+    std::array<double, max_spokes> along{}, across{};  // forces per load
+    bool brakes_hold = braked_load > 0;
+    for (int i = 0; i < count; ++i) {
         const SpokeForces<double>& f = momenta.spokes[i].forces;
         const double pressing = -gravity.dot(f.frame.normal);
-        along[i] = -gravity.dot(f.frame.longitudinal) / pressing;
+        along[i] = braking_torque(i) > 0 ? -share * gravity.dot(f.frame.longitudinal) / pressing : 0;
         across[i] = -gravity.dot(f.frame.lateral) / pressing;
-        const double radius = std::visit([](const auto& tire) { return tire.rolling_radius; }, spoke.tire);
-        brakes_hold &= std::abs(along[i] * f.tire.Fz) * radius <= input.brake * spoke.brake.max_torque;
+        const double radius = rolling_radius(model.vehicle.spokes[i]);
+        brakes_hold = brakes_hold && std::abs(along[i] * load(i)) * radius <= braking_torque(i);
     }
     for (int i = 0; i < count; ++i) {
         const Spoke<double>& spoke = model.vehicle.spokes[i];
-        const double Fz = momenta.spokes[i].forces.tire.Fz, x = brakes_hold ? along[i] : 0.0;
-        std::visit(
-            [&](const auto& tire) {
-                const auto deflection = tire.holding(x, across[i], Fz);
-                state.spoke(i).deflection_x = deflection.u;
-                state.spoke(i).deflection_y = deflection.v;
-                const bool carries = deflection.u != 0;
-                state.spoke(i).brake_windup = carries ? -tire.rolling_radius * x * Fz / spoke.brake.stiffness : 0.0;
-            },
-            spoke.tire);
+        const double x = brakes_hold ? along[i] : 0.0;
+        const auto deflection =
+            std::visit([&](const auto& tire) { return tire.holding(x, across[i], load(i)); }, spoke.tire);
+        const bool carries = deflection.u != 0;
+        state.spoke(i).deflection_x = deflection.u;
+        state.spoke(i).deflection_y = deflection.v;
+        state.spoke(i).brake_windup = carries ? -rolling_radius(spoke) * x * load(i) * spoke.brake.compliance : 0.0;
     }
 }
 

@@ -4,8 +4,6 @@
 // P_a(0) follow from the initial velocities. Runs once, before the first step, in plain doubles.
 #pragma once
 
-#include <string>
-
 #include "hamilcar/block/momenta.hpp"
 
 namespace hamilcar {

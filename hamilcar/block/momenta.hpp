@@ -19,6 +19,7 @@ struct SpokeForces {
     T spring_length, damper_rate;  // [m, m/s]
     T travel;                      // wheel travel [m]
     T drive_torque, brake_torque;  // on the wheel [N m]
+    T tire_spin_torque;            // of the tire about the spin axis [N m]
     T spin;                        // relative to the carrier [rad/s]
     TireContact<T> contact;
     TireForce<T> tire;
@@ -74,6 +75,7 @@ Spatial<T> tire_wrench(const Spoke<T>& spoke, const RoadPlane<T>& road, const Ve
                            .v = state.deflection_y};
             out.tire = tire.force(out.contact);
             const TireForce<T>& F = out.tire;
+            out.tire_spin_torque = F.rolling_moment - tire.rolling_radius * F.Fx;
             Spatial<T> wrench = force_at<T>(f.point, F.Fx * f.longitudinal + F.Fy * f.lateral + F.Fz * f.normal);
             angular(wrench) += (F.rolling_moment - (tire.rolling_radius - f.lever) * F.Fx) * axis;
             return wrench;
@@ -87,12 +89,11 @@ void wheel_momenta(const Spoke<T>& spoke, const SpokeState<const T>& state, cons
                    SpokeMomenta<T>& out) {
     SpokeForces<T>& f = out.forces;
     const auto brake = spoke.brake.evaluate(input.brake, f.spin, state.brake_windup);
-    const T rolling_radius = std::visit([](const auto& tire) { return tire.rolling_radius; }, spoke.tire);
     f.brake_torque = brake.torque;
     out.windup_rate = brake.windup_rate;
     out.deflection_x_rate = f.tire.u_rate;
     out.deflection_y_rate = f.tire.v_rate;
-    out.spin_momentum_rate = f.tire.rolling_moment - rolling_radius * f.tire.Fx + f.drive_torque + f.brake_torque;
+    out.spin_momentum_rate = f.tire_spin_torque + f.drive_torque + f.brake_torque;
 }
 
 // Power that is not in the potential, without the drift terms.
@@ -107,7 +108,7 @@ T lost_power(const SpokeForces<T>& f, const Vec3<T>& axis, const Spatial<T>& mot
 template <class T, class S>
 void spoke_momenta(const Spoke<T>& spoke, const S& suspension, const SpokeVelocity<T, S>& at,
                    const SpokeState<const T>& state, const Input<T>& input, const Surroundings<T>& world,
-                   const T& bar_force, SpokeMomenta<T>& out, Momenta<T>& car) {
+                   SpokeMomenta<T>& out, Momenta<T>& car) {
     constexpr int nV = S::Linkage::nV, nW = S::Linkage::nW;
     Vector<T, nW> W_rate;
     const auto rates = suspension.linkage.rates(at.position, at.V_rate, W_rate, input.rack, world.gain);
@@ -128,7 +129,6 @@ void spoke_momenta(const Spoke<T>& spoke, const S& suspension, const SpokeVeloci
     f.spring = spoke.spring.force(spring.length);
     f.damper = spoke.damper.force(f.damper_rate);
     f.stop = spoke.bump.force(f.travel) - spoke.rebound.force(T(-f.travel));
-    f.bar = bar_force;
 
     Spatial<T> Q = external;
     angular(Q) += at.spin_axis * f.drive_torque;
@@ -188,8 +188,7 @@ Momenta<T> momenta_block(const Model<T>& model, const State<T>& state, const Inp
     anti_roll_forces(vehicle, velocity, out);
     for (int i = 0; i < vehicle.spoke_count(); ++i) {
         visit_spoke(vehicle, velocity, i, [&](const Spoke<T>& spoke, const auto& suspension, const auto& at) {
-            const T bar_force = out.spokes[i].forces.bar;
-            spoke_momenta(spoke, suspension, at, state.spoke(i), input, world, bar_force, out.spokes[i], out);
+            spoke_momenta(spoke, suspension, at, state.spoke(i), input, world, out.spokes[i], out);
         });
     }
     return out;

@@ -1,7 +1,7 @@
 // A vehicle as a person writes it down: hardpoints, masses, rates, in the vehicle frame at the design position.
 //
 // Vehicle frame: ISO 8855 (x forward, y left, z up), origin wherever the file puts it. SI units, radians. Nothing here is
-// precomputed and nothing is templated: `assemble_vehicle` turns this into the constants of the equations, and any
+// precomputed and nothing is templated: `Vehicle` turns this into the constants of the equations, and any
 // independent program (our Simbody check is one) can build the same car from the same numbers.
 #pragma once
 
@@ -34,15 +34,16 @@ struct WheelDescription {
 
 // Strut composite joint (ST) plus a massless control arm (RS cut joint) and a tie rod (D cut joint): the paper's Fig. 3.
 struct MacPhersonDescription {
-    Point strut_top{};                 // T, on the chassis
-    Point slide_point{};               // S, on the spindle; the strut slides along S -> T and its length is |T - S|
-    Point arm_front{};                 // A1, control arm axis, front bush
-    Point arm_rear{};                  // A2, control arm axis, rear bush
-    Point ball_joint{};                // C, on the spindle
-    Point rack_end{};                  // R, tie rod inner end at rack displacement 0; ignored axis where not steered
-    Point tie_rod_outer{};             // Q, on the spindle
-    Point rack_axis{0, 1, 0};          // unit; a positive rack displacement moves R along it
-    std::optional<double> arm_length;  // |C - foot of C on the arm axis| [m]; from the hardpoints if absent
+    Point strut_top{};                     // T, on the chassis
+    Point slide_point{};                   // S, on the spindle; the strut slides along S -> T and its length is |T - S|
+    Point arm_front{};                     // A1, control arm axis, front bush
+    Point arm_rear{};                      // A2, control arm axis, rear bush
+    Point ball_joint{};                    // C, on the spindle
+    Point rack_end{};                      // R, tie rod inner end at rack displacement 0
+    Point tie_rod_outer{};                 // Q, on the spindle
+    Point rack_axis{0, 1, 0};              // unit; a positive rack displacement moves R along it
+    bool steered = true;                   // otherwise R is fixed in the chassis
+    std::optional<double> arm_length;      // |C - foot of C on the arm axis| [m]; from the hardpoints if absent
     std::optional<double> tie_rod_length;  // |Q - R| [m]; from the hardpoints if absent
 };
 
@@ -76,7 +77,7 @@ struct StopDescription {
     double progression = 0;  // [N/m^2]
 };
 
-// Linear tire with friction limit and relaxation (see docs/models/tire.md).
+// Linear tire with friction limit and relaxation (docs/models/forces.md).
 struct LinearTireDescription {
     double radius = 0;                   // unloaded [m]
     double rolling_radius = 0;           // effective [m]

@@ -33,7 +33,7 @@ Signal::Signal(const SignalDescription& d, double scale)
 
 Signal::Value Signal::at(double time) const {
     if (time_.empty()) return {};
-    if (time <= time_.front()) return {value_.front(), 0, 0};
+    if (time < time_.front()) return {value_.front(), 0, 0};
     if (time >= time_.back()) return {value_.back(), 0, 0};
     const auto next = std::upper_bound(time_.begin(), time_.end(), time);
     const std::size_t i = static_cast<std::size_t>(next - time_.begin()) - 1;

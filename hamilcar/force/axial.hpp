@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <stdexcept>
 
 #include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/scalar/scalar.hpp"
@@ -25,24 +26,26 @@ struct Spring {
 template <class T>
 struct Damper {
     static constexpr std::size_t max_segments = 8;
-    T slope_below, slope_above;  // outside the points [N s/m]
-    T first, last;               // outer velocities [m/s]
-    T force_at_first;            // [N]
+    T slope_below{0}, slope_above{0};  // outside the points [N s/m]
+    T first{0}, last{0};               // outer velocities [m/s]
+    T force_at_first{0};               // [N]
     int segments = 0;
     std::array<T, max_segments> start, end, slope;
 
     Damper() = default;
-    explicit Damper(const DamperDescription& d) : segments(static_cast<int>(d.velocity.size()) - 1) {
-        const auto gradient = [&](std::size_t i) {
-            return (d.force[i + 1] - d.force[i]) / (d.velocity[i + 1] - d.velocity[i]);
-        };
+    // No points: no damper. Throws std::length_error for more than eight segments.
+    explicit Damper(const DamperDescription& d) {
+        if (d.velocity.size() < 2) return;
         const std::size_t count = d.velocity.size() - 1;
+        if (count > max_segments) throw std::length_error("a damper curve has at most 9 points");
+        segments = static_cast<int>(count);
         for (std::size_t i = 0; i < count; ++i) {
-            start[i] = T(d.velocity[i]), end[i] = T(d.velocity[i + 1]), slope[i] = T(gradient(i));
+            start[i] = T(d.velocity[i]), end[i] = T(d.velocity[i + 1]);
+            slope[i] = T((d.force[i + 1] - d.force[i]) / (d.velocity[i + 1] - d.velocity[i]));
         }
-        first = T(d.velocity.front()), last = T(d.velocity.back());
+        first = start[0], last = end[count - 1];
         force_at_first = T(d.force.front());
-        slope_below = T(gradient(0)), slope_above = T(gradient(count - 1));
+        slope_below = slope[0], slope_above = slope[count - 1];
     }
 
     // Force at a rate of extension [m/s].

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "hamilcar/integrator/methods.hpp"
 #include "hamilcar/scalar/scalar.hpp"
@@ -102,7 +103,7 @@ private:
         add_stages(method.weights, method.stages, h, y);
     }
 
-    // Largest error of a trial step relative to the tolerance; numbers below one count as one.
+    // Largest error of a trial step relative to the tolerance; numbers below one count as one. Infinite for a NaN.
     double error_ratio(double h, const State& y) const {
         double worst = 0;
         for (int i = 0; i < size_; ++i) {
@@ -112,30 +113,30 @@ private:
             }
             const double scale = std::max(1.0, std::fabs(value_of(y.values[i])));
             const double ratio = std::fabs(value_of(error)) / (tolerance_ * scale);
-            if (!(ratio <= worst)) worst = ratio;  // a NaN is the worst
+            if (!std::isfinite(ratio)) return std::numeric_limits<double>::infinity();
+            worst = std::max(worst, ratio);
         }
         return worst;
     }
 
     template <class F>
     void advance_adaptive(F& f, double t, State& y) {
+        const double smallest = 1e-9 * step_;  // below it the method gives up
         double done = 0;
         while (done < step_) {
             const bool last = substep_ >= step_ - done;
             const double h = last ? step_ - done : substep_;
             stages(dormand_prince, f, t + done, h, y);
             const double ratio = error_ratio(h, y);
-            const bool smallest = h < 1e-9 * step_;
-            if (ratio <= 1 || smallest) {
+            if (ratio <= 1) {
                 add_stages(dormand_prince.weights, dormand_prince.stages, h, y);
                 done = last ? step_ : done + h;
-                converged_ = converged_ && ratio <= 1;
-                if (smallest) return;
+            } else if (h < smallest) {
+                converged_ = false;
+                return;
             }
-            const double factor = ratio > 0 ? 0.9 * std::pow(ratio, -0.2) : 5.0;
-            const double wanted = h * std::min(5.0, std::max(0.2, std::isfinite(factor) ? factor : 0.2));
-            if (!last || wanted < substep_ || ratio > 1) substep_ = wanted;
-            substep_ = std::min(substep_, step_);
+            const double wanted = h * std::min(5.0, std::max(0.2, 0.9 * std::pow(std::max(ratio, 1e-10), -0.2)));
+            if (!last || wanted < substep_ || ratio > 1) substep_ = std::min(wanted, step_);
         }
     }
 

@@ -16,10 +16,10 @@ GainChoice stabilization_gain(const SolverDescription& solver) {
     if (solver.stabilization == StabilizationRule::limit) return {limit_share * limit, {}};
     if (solver.stabilization == StabilizationRule::paper) {
         if (method.paper_limit) return {*method.paper_limit / solver.step, {}};  // (36)
-        return {0,
-                fmt::format("\"limit\" or a stabilization_gain_per_s with {}: the paper's Table 3 has Adams-Bashforth "
-                            "methods only",
-                            method.name)};
+        return {0, fmt::format("stabilization = \"limit\" or a stabilization_gain_per_s with {}: the paper's Table 3 "
+                               "has Adams-Bashforth "
+                               "methods only",
+                               method.name)};
     }
     const double gain = solver.stabilization_gain;
     const bool fixed_step = method.family != MethodFamily::embedded_runge_kutta;

@@ -73,6 +73,7 @@ SuspensionDescription read_macpherson(const TableReader& points) {
         .rack_end = points.array<3>("rack_end_m"),
         .tie_rod_outer = points.array<3>("tie_rod_outer_m"),
         .rack_axis = points.has("rack_axis") ? points.direction("rack_axis") : Point{0, 1, 0},
+        .steered = points.boolean("steered", true),
         .arm_length = optional_length(points, "arm_length_m"),
         .tie_rod_length = optional_length(points, "tie_rod_length_m")};
     expect_apart(points, "strut_top_m", strut.strut_top, "slide_point_m", strut.slide_point);
@@ -150,8 +151,7 @@ StopDescription read_stop(const std::optional<TableReader>& stop) {
 }
 
 BrakeDescription read_brake(const std::optional<TableReader>& brake) {
-    // Without a brake: no torque. The stiffness divides the torque, so it may not be zero.
-    if (!brake) return {.max_torque = 0, .windup_stiffness = 1, .windup_damping = 0};
+    if (!brake) return {};
     return {brake->number("max_torque_N_m", not_negative), brake->number("windup_stiffness_N_m_per_rad", positive),
             brake->number("windup_damping_N_m_s_per_rad", not_negative)};
 }

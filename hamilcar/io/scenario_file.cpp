@@ -115,6 +115,11 @@ OutputDescription read_output(const TableReader& table) {
 
 }  // namespace
 
+bool is_scenario(const std::string& path) {
+    Node document = read_toml(path);
+    return TableReader(document, "").has("vehicle");
+}
+
 ScenarioDescription read_scenario(const std::string& path) {
     Node document = read_toml(path);
     const TableReader file(document, "");

@@ -10,4 +10,7 @@ namespace hamilcar::io {
 // Throws Error (bad_file or input_output) with file, line, column, key, value, expectation and unit.
 ScenarioDescription read_scenario(const std::string& path);
 
+// Whether a file, with what it inherits, names a vehicle; otherwise it is one. Throws like read_scenario.
+bool is_scenario(const std::string& path);
+
 }  // namespace hamilcar::io

@@ -27,6 +27,12 @@ Mat3<T> bryant_rotation(const BryantAngles<T>& q) {
     return A;
 }
 
+// The angles of a rotation matrix, q2 within 90 degrees either way; for starts and channels, not for a step.
+template <class T>
+Vec3<T> bryant_angles(const Mat3<T>& A) {
+    return {std::atan2(-A(1, 2), A(2, 2)), std::asin(clamp(A(0, 2), T(-1), T(1))), std::atan2(-A(0, 1), A(0, 0))};
+}
+
 // D with omega = D (q1', q2', q3'), omega in the axes the angles start from.  // (9)
 template <class T>
 Mat3<T> bryant_rate_matrix(const BryantAngles<T>& q) {

@@ -25,9 +25,6 @@ struct PlaneRoad {
         normal = {-grade * scale, -bank * scale, scale};
     }
 
-    // Height of a ground point above the plane, along the normal [m].
-    T height_above(const Vec3<T>& point) const { return normal.dot(point); }
-
     // The plane as seen from a chassis at position r with orientation R_GC.
     RoadPlane<T> seen_from(const Vec3<T>& r, const Mat3<T>& R_GC) const {
         return {R_GC.transpose() * normal, -normal.dot(r), friction};

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "hamilcar/io/error.hpp"
@@ -74,13 +75,7 @@ void add_chassis_channels(std::vector<Channel>& list) {
     }
     for (int i = 0; i < 3; ++i) {
         list.push_back({{fmt::format("chassis.bryant.{}", i + 1), "deg", fmt::format("the paper's q1{} (1)", i + 4)},
-                        [i](const Sample& s) {
-                            const Mat3<double>& R = s.velocity.R_GC;
-                            const double q[] = {std::atan2(-R(1, 2), R(2, 2)),
-                                                std::asin(std::clamp(R(0, 2), -1.0, 1.0)),
-                                                std::atan2(-R(0, 1), R(0, 0))};
-                            return degree * q[i];
-                        }});
+                        [i](const Sample& s) { return degree * bryant_angles<double>(s.velocity.R_GC)[i]; }});
     }
 }
 
@@ -103,9 +98,11 @@ void add_car_channels(std::vector<Channel>& list) {
         true);
     add("constraints.mobility", "1", "0 where a linkage locks", [](const Sample& s) { return s.mobility; });
     add("energy.kinetic", "J", "of all bodies and wheels", [](const Sample& s) { return s.energy.kinetic; });
-    add("energy.potential", "J", "gravity, springs, bars, stops, tires",
+    add("energy.potential", "J", "gravity, springs, bars, stops, tires, hull",
         [](const Sample& s) { return s.energy.potential; });
-    add("energy.work", "J", "of drive, brakes, dampers, tires, air and rack",
+    add("energy.drift", "J", "carried by the moving rack: the sum of x.h",
+        [](const Sample& s) { return s.energy.drift; });
+    add("energy.work", "J", "of drive, brakes, dampers, tires, air, hull friction and rack",
         [](const Sample& s) { return s.energy.work; });
     add("energy.balance", "J", "kinetic + potential - drift - work: constant",
         [](const Sample& s) { return s.energy.balance(); });
@@ -187,7 +184,10 @@ std::vector<Channel> select_channels(const std::vector<Channel>& all, const std:
     for (const std::string& name : names) {
         bool found = false;
         for (const Channel& channel : all) {
-            if (matches(channel.column.name, name)) chosen.push_back(channel), found = true;
+            if (!matches(channel.column.name, name)) continue;
+            found = true;
+            const auto same = [&](const Channel& other) { return other.column.name == channel.column.name; };
+            if (std::none_of(chosen.begin(), chosen.end(), same)) chosen.push_back(channel);
         }
         if (found) continue;
         std::vector<std::string_view> known;

@@ -5,6 +5,9 @@
 
 namespace hamilcar {
 
+// However rare the rows, Ctrl-C is seen after this many steps.
+constexpr long steps_between_looks = 1000;
+
 RunSummary record(Simulation& simulation, const std::vector<Channel>& channels, double interval, const OnRow& on_row,
                   const KeepGoing& keep_going) {
     const auto began = std::chrono::steady_clock::now();
@@ -28,8 +31,8 @@ RunSummary record(Simulation& simulation, const std::vector<Channel>& channels, 
             break;
         }
         last_written = simulation.steps_taken() % every == 0;
-        if (!last_written) continue;
-        write_row();
+        if (last_written) write_row();
+        if (!last_written && simulation.steps_taken() % steps_between_looks != 0) continue;
         const double share =
             static_cast<double>(simulation.steps_taken()) / static_cast<double>(simulation.total_steps());
         if (!keep_going(share)) {

@@ -45,6 +45,24 @@ Model<double> make_model(const VehicleDescription& vehicle, const ScenarioDescri
             .stabilization_gain = require_gain(scenario.solver)};
 }
 
+// An input that nothing in the car listens to is a mistake in the scenario or in the vehicle.
+void check_inputs(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
+    if (scenario.steering_input == SteeringInput::steering_wheel && vehicle.steering.rack_per_revolution <= 0) {
+        reject(
+            fmt::format("key 'inputs.steering_wheel': {} has no [steering]; expected rack_m_per_revolution there, or "
+                        "inputs.rack here",
+                        vehicle.name));
+    }
+    double driven = 0;
+    for (const CornerDescription& corner : vehicle.corners) driven += corner.drive_share;
+    for (const double torque : scenario.drive.value) {
+        if (torque == 0 || driven > 0) continue;
+        reject(fmt::format(
+            "key 'inputs.drive' asks for {:g} N m, but no axle of {} is driven; expected a drive_share there", torque,
+            vehicle.name));
+    }
+}
+
 // The rack ends at its stops; a schedule that asks for more is a mistake, not a wish.
 void check_rack(const ScenarioDescription& scenario, const SteeringDescription& steering) {
     if (scenario.steering_input == SteeringInput::none || steering.rack_travel <= 0) return;
@@ -80,6 +98,7 @@ Simulation::Simulation(VehicleDescription vehicle, ScenarioDescription scenario)
       integrator_(require_method(scenario_.solver), scenario_.solver.step,
                   State<double>::size(model_.vehicle.spoke_count()), scenario_.solver.tolerance),
       total_steps_(std::lround(scenario_.duration / scenario_.solver.step)) {
+    check_inputs(scenario_, vehicle_);
     check_rack(scenario_, vehicle_.steering);
     start();
 }
@@ -152,8 +171,8 @@ std::string Simulation::inspect(const Health<double>& health) const {
     if (locks) {
         return fmt::format("the linkage of {} locks: its wheel cannot move further this way", corner_name(worst.spoke));
     }
-    return fmt::format("{} came apart: '{}' stands open by {:.1f} mm", corner_name(worst.spoke), cut_name(worst),
-                       1e3 * worst.opening);
+    return fmt::format("{} came apart: '{}' stands open by {:.1f} mm; try a smaller step", corner_name(worst.spoke),
+                       cut_name(worst), 1e3 * worst.opening);
 }
 
 std::string Simulation::assembly_problem(const LoopReport& loop) const {

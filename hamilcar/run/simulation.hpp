@@ -2,7 +2,6 @@
 // ends it. The mathematics never throws; what it flags becomes an `End` here, with the results so far kept by the caller.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 

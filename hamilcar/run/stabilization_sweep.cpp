@@ -5,7 +5,8 @@
 namespace hamilcar {
 
 std::vector<SweepRun> stabilization_sweep(const VehicleDescription& vehicle, ScenarioDescription scenario,
-                                          const std::vector<double>& gains, double interval) {
+                                          const std::vector<double>& gains, double interval,
+                                          const std::function<bool()>& keep_going) {
     scenario.solver.constraints = ConstraintMode::stabilized;
     scenario.solver.stabilization = StabilizationRule::value;
     scenario.solver.check_stability = false;
@@ -27,6 +28,7 @@ std::vector<SweepRun> stabilization_sweep(const VehicleDescription& vehicle, Sce
                 ++samples;
             }
             if (simulation.finished()) break;
+            if (!keep_going()) return runs;
             if (simulation.advance()) {
                 run.blew_up = true;
                 break;

@@ -1,6 +1,7 @@
 // The paper's Fig. 9: the same run with different stabilization gains, and what becomes of the constraints.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "hamilcar/run/simulation.hpp"
@@ -17,7 +18,9 @@ struct SweepRun {
 };
 
 // Runs a scenario in stabilized mode once per gain; gains beyond the stability limit are allowed here and end early.
-std::vector<SweepRun> stabilization_sweep(const VehicleDescription& vehicle, ScenarioDescription scenario,
-                                          const std::vector<double>& gains, double interval);
+// `keep_going` is asked now and then; after a no the sweep returns the runs that are complete.
+std::vector<SweepRun> stabilization_sweep(
+    const VehicleDescription& vehicle, ScenarioDescription scenario, const std::vector<double>& gains, double interval,
+    const std::function<bool()>& keep_going = [] { return true; });
 
 }  // namespace hamilcar

@@ -30,12 +30,14 @@ struct MacPherson {
         const Vec3<double> u = (vec3(points.arm_rear) - front).normalized();
         const Vec3<double> foot = front + u * u.dot(tip - front);
         const Vec3<double> inner = vec3(points.rack_end), outer = vec3(points.tie_rod_outer);
+        const Vec3<double> rack_axis =
+            points.steered ? Vec3<double>(vec3(points.rack_axis).normalized()) : Vec3<double>::Zero();
         design = {h.norm()};
         linkage.joints = {BryantSpherical<T>{as<T>(top)},
                           Prismatic<T>{as<T>(Vec3<double>(-h.normalized())), T(design[0])}};  // (7), (8)
         linkage.cuts = {
             RevoluteSpherical<T>{as<T>(foot), as<T>(u), as<T>(tip), T(points.arm_length.value_or((tip - foot).norm()))},
-            Distance<T>{as<T>(inner), as<T>(outer), as<T>(vec3(points.rack_axis).normalized()),
+            Distance<T>{as<T>(inner), as<T>(outer), as<T>(rack_axis),
                         T(points.tie_rod_length.value_or((outer - inner).norm()))}};
     }
     MacPherson() = default;

@@ -43,7 +43,7 @@ Spoke<T> make_spoke(const CornerDescription& d) {
         .bump = {T(d.bump.gap), T(d.bump.rate), T(d.bump.progression)},
         .rebound = {T(d.rebound.gap), T(d.rebound.rate), T(d.rebound.progression)},
         .tire = make_tire<T>(d.tire),
-        .brake = {T(d.brake.max_torque), T(d.brake.windup_stiffness), T(d.brake.windup_damping)},
+        .brake = Brake<T>(d.brake),
         .drive_share = T(d.drive_share),
         .inverse_design_determinant = T(1) / design.determinant};
 }

@@ -62,6 +62,9 @@ protected:
     fs::path folder_;
 };
 
+const char* const car_file = "vehicles/bmw_323i.toml";
+const char* const hill_file = "scenarios/hill_hold.toml";
+const char* const paper_file = "scenarios/paper.toml";
 const std::string shipped = test::source_path("vehicles/bmw_323i.toml");
 
 TEST_F(Program, RunsAScenarioAndWritesBothFormats) {
@@ -114,10 +117,12 @@ TEST_F(Program, RunsThePapersCase) {
     ASSERT_EQ(r.code, 0) << r.err;
     const auto facts = nlohmann::json::parse(r.out);
     EXPECT_EQ(facts["table_2"]["as_printed"], 9);
+    EXPECT_EQ(facts["run"]["stabilization_gain_per_s"], 400);  // (36): 0.4 / 1 ms
     EXPECT_EQ(facts["table_2"]["degrees_of_freedom"], 10);
     const auto& fig9 = facts["figure_9"];
     EXPECT_NEAR(fig9["stability_limit_per_s"].get<double>(), 6000. / 11, 1e-9);
-    EXPECT_EQ(fig9["first_unstable_gain_per_s"], 550);  // the first gain of the sweep beyond 6/11 of 1/h
+    EXPECT_NEAR(fig9["first_unstable_gain_per_s"].get<double>(), 550,
+                1e-9);  // the first gain of the sweep beyond 6/11 of 1/h
     EXPECT_GE(fig9["least_rms_at_gain_per_s"].get<double>(), 150);
     EXPECT_LE(fig9["least_rms_at_gain_per_s"].get<double>(), 400);
     for (const char* name :
@@ -175,10 +180,6 @@ TEST_P(Mistakes, EndWithOneMessageAndItsCode) {
     EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
     for (const std::string& piece : m.message) EXPECT_THAT(r.err, HasSubstr(piece));
 }
-
-const char* const car_file = "vehicles/bmw_323i.toml";
-const char* const hill_file = "scenarios/hill_hold.toml";
-const char* const paper_file = "scenarios/paper.toml";
 
 INSTANTIATE_TEST_SUITE_P(
     Everyday, Mistakes,
@@ -281,6 +282,19 @@ TEST_F(Program, WarnsWhenTheStepIsTooLargeForTheBooks) {
                           " -o results");
     EXPECT_EQ(r.code, 0);
     EXPECT_THAT(r.err, HasSubstr("warning: the energy balance is off by"));
+}
+
+TEST_F(Program, ChecksAScenarioThatInheritsItsVehicle) {
+    const std::string base = scenario_for(shipped);
+    std::ofstream(folder_ / "derived.toml") << "base = \"scenario.toml\"\nduration_s = 2.0\n";
+    EXPECT_EQ(run("check derived.toml").code, 0);
+}
+
+TEST_F(Program, RefusesInputsThatNothingListensTo) {
+    const std::string car = changed(car_file, "drive_share = 1.0", "drive_share = 0.0");
+    const Outcome r = run("run " + scenario_for(car, "[inputs.drive]\ntorque_N_m = 300.0\n") + " -o results");
+    EXPECT_EQ(r.code, 3);
+    EXPECT_THAT(r.err, HasSubstr("no axle of BMW 323i (E30) is driven"));
 }
 
 TEST_F(Program, HelpsWithTheCommandLine) {

@@ -11,8 +11,8 @@
 namespace hamilcar {
 namespace {
 
-const Brake<double> brake{1650, 20e3, 130};  // the shipped car's front brake
-constexpr double inertia = 0.85;             // of its wheel [kg m^2]
+const Brake<double> brake(BrakeDescription{1650, 20e3, 130});  // the shipped car's front brake
+constexpr double inertia = 0.85;                               // of its wheel [kg m^2]
 
 struct BrakedWheel {
     double angle = 0, spin = 0, windup = 0;
@@ -74,6 +74,12 @@ TEST(Brake, ReleasesAtOnceAndUnwinds) {
     for (int i = 0; i < 1000; ++i) windup += 1e-5 * brake.evaluate(0, 0, windup).windup_rate;
     EXPECT_NEAR(windup, wound / std::numbers::e, 1e-3 * wound)
         << "at 100/s for 10 ms; Euler's rule errs by h/2 of 100/s";
+}
+
+TEST(Brake, ThatIsNotThereDoesNothing) {
+    const auto out = Brake<double>(BrakeDescription{}).evaluate(1, 30, 0.3);
+    EXPECT_EQ(out.torque, 0);
+    EXPECT_TRUE(std::isfinite(out.windup_rate));
 }
 
 TEST(Brake, IsTheSameBothWays) {

@@ -71,6 +71,19 @@ TEST(Damper, TakesAsManyPointsAsItHasRoomFor) {
     }
 }
 
+TEST(Damper, RefusesMorePointsThanItHasRoomFor) {
+    DamperDescription many;
+    for (std::size_t i = 0; i <= Damper<double>::max_segments + 1; ++i) {
+        many.velocity.push_back(static_cast<double>(i));
+        many.force.push_back(static_cast<double>(i));
+    }
+    EXPECT_THROW(Damper<double>{many}, std::length_error);
+}
+
+TEST(Damper, WithoutPointsIsNoDamper) {
+    EXPECT_EQ(Damper<double>(DamperDescription{}).force(3), 0);
+}
+
 const Stop<double> stop{0.06, 60e3, 1e6};
 
 TEST(Stop, IsSilentInItsGapAndPushesBackBeyond) {

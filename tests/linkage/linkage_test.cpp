@@ -5,87 +5,18 @@
 #include <Eigen/LU>
 #include <set>
 
-#include "linkage/motion.hpp"
-#include "support/car.hpp"
+#include "linkage/moving.hpp"
 
 namespace hamilcar {
 namespace {
 
-constexpr double step = 1e-4;           // of differences [s, m, rad]
+using test::for_every_linkage;
+using test::gain;
+using test::step;
+
 constexpr double by_difference = 1e-9;  // round-off over the step, 1e-12, times entries up to some hundreds
-constexpr double gain = 40;             // alpha of the open loops [1/s]
-
-// One corner's linkage with a motion of its own: independent coordinates and rack are given functions of time.
-template <class S>
-class Moving {
-public:
-    using Linkage = typename S::Linkage;
-    static constexpr int nV = Linkage::nV, nW = Linkage::nW;
-    using Independent = Vector<double, nV>;
-    using Dependent = Vector<double, nW>;
-
-    explicit Moving(const S& suspension) : suspension_(suspension) {}
-    const Linkage& linkage() const { return suspension_.linkage; }
-    Independent design() const { return Eigen::Map<const Independent>(suspension_.design.data()); }
-    Independent V(double t) const {
-        Independent V = design();
-        for (int i = 0; i < nV; ++i) V[i] += 0.06 * std::sin(7 * t + 0.3 + i);
-        return V;
-    }
-    Independent V_rate(double t) const {
-        Independent rate;
-        for (int i = 0; i < nV; ++i) rate[i] = 0.42 * std::cos(7 * t + 0.3 + i);
-        return rate;
-    }
-    RackMotion<double> rack(double t) const {
-        return {0.03 * std::sin(5 * t - 0.4), 0.15 * std::cos(5 * t - 0.4), -0.75 * std::sin(5 * t - 0.4)};
-    }
-    auto position(const Independent& V, const Dependent& W, const RackMotion<double>& rack, double alpha = 0) const {
-        return linkage().position(V.data(), W.data(), rack, alpha);
-    }
-    // W on the closed loops.
-    Dependent closed(const Independent& V, const RackMotion<double>& rack) const {
-        Dependent W = Dependent::Zero();
-        for (int i = 0; i < 12; ++i) linkage().newton_step(V.data(), W.data(), rack);
-        return W;
-    }
-    Dependent opened(double t) const {
-        Dependent W = closed(V(t), rack(t));
-        for (int i = 0; i < nW; ++i) W[i] += 0.02 * std::cos(2.0 * i + 1);
-        return W;
-    }
-    // W at t on the flow W' = H V' + X that starts open at t0: Runge-Kutta steps a quarter of the difference's.
-    Dependent stabilized(double t0, double t) const {
-        const auto rate = [&](double at, const Dependent& W) {
-            const auto p = position(V(at), W, rack(at), gain);
-            return Dependent(p.H * V_rate(at) + p.X);
-        };
-        const double h = (t - t0) / 8;
-        Dependent W = opened(t0);
-        for (int i = 0; i < 8; ++i) {
-            const double at = t0 + i * h;
-            const Dependent k1 = rate(at, W), k2 = rate(at + h / 2, W + h / 2 * k1),
-                            k3 = rate(at + h / 2, W + h / 2 * k2), k4 = rate(at + h, W + h * k3);
-            W += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-        }
-        return W;
-    }
-
-private:
-    S suspension_;
-};
 
 constexpr std::array times{0.0, 0.21, 0.55};
-
-// Calls check(suspension, moving) for every corner of the shipped car.
-template <class Check>
-void for_every_corner(Check&& check) {
-    for (const CornerDescription& corner : test::shipped_car().corners) {
-        SCOPED_TRACE(corner.name);
-        std::visit([&](const auto& s) { check(s, Moving<std::decay_t<decltype(s)>>(s)); },
-                   make_suspension<double>(corner.suspension));
-    }
-}
 
 TEST(Linkage, EverySuspensionOfTheListIsTestedHere) {
     std::set<std::size_t> kinds;
@@ -94,7 +25,7 @@ TEST(Linkage, EverySuspensionOfTheListIsTestedHere) {
 }
 
 TEST(Linkage, StandsAtTheIdentityAndClosedAtDesign) {
-    for_every_corner([](const auto&, const auto& moving) {
+    for_every_linkage([](const auto&, const auto& moving) {
         using M = std::decay_t<decltype(moving)>;
         const auto at = moving.position(moving.design(), M::Dependent::Zero(), {});
         EXPECT_LE(test::difference(at.pose, {Mat3<double>::Identity(), Vec3<double>::Zero()}), 1e-15);
@@ -103,7 +34,7 @@ TEST(Linkage, StandsAtTheIdentityAndClosedAtDesign) {
 }
 
 TEST(Linkage, HIsTheDerivativeOfTheAssembledDependentCoordinates) {
-    for_every_corner([](const auto&, const auto& moving) {
+    for_every_linkage([](const auto&, const auto& moving) {
         using M = std::decay_t<decltype(moving)>;
         for (const double t : times) {
             const auto V = moving.V(t);
@@ -122,7 +53,7 @@ TEST(Linkage, HIsTheDerivativeOfTheAssembledDependentCoordinates) {
 }
 
 TEST(Linkage, XIsWhatAMovingRackDoesToTheClosedLoops) {
-    for_every_corner([](const auto&, const auto& moving) {
+    for_every_linkage([](const auto&, const auto& moving) {
         using M = std::decay_t<decltype(moving)>;
         if constexpr (M::nW > 0) {
             for (const double t : times) {
@@ -139,7 +70,7 @@ TEST(Linkage, XIsWhatAMovingRackDoesToTheClosedLoops) {
 
 // On open loops: Phi_w X + Phi_t + alpha Phi = 0 with Phi_w, Phi_t from differences; det Phi_w on the way.
 TEST(Linkage, XOnOpenLoopsAddsTheStabilization) {
-    for_every_corner([](const auto&, const auto& moving) {
+    for_every_linkage([](const auto&, const auto& moving) {
         using M = std::decay_t<decltype(moving)>;
         if constexpr (M::nW > 0) {
             for (const double t : times) {
@@ -192,14 +123,14 @@ void check_motion_and_rates(const M& moving, const WAt& W_at, double t, double a
 }
 
 TEST(Linkage, RatesFollowTheClosedLoops) {
-    for_every_corner([](const auto&, const auto& moving) {
+    for_every_linkage([](const auto&, const auto& moving) {
         const auto W_at = [&](double t) { return moving.closed(moving.V(t), moving.rack(t)); };
         for (const double t : times) check_motion_and_rates(moving, W_at, t, 0);
     });
 }
 
 TEST(Linkage, RatesFollowTheStabilizedLoops) {
-    for_every_corner([](const auto&, const auto& moving) {
+    for_every_linkage([](const auto&, const auto& moving) {
         for (const double t : times) {
             const auto W_at = [&](double at) { return moving.stabilized(t, at); };
             check_motion_and_rates(moving, W_at, t, gain);
@@ -209,7 +140,7 @@ TEST(Linkage, RatesFollowTheStabilizedLoops) {
 
 // Halving the distance to the solution quarters what one step leaves.
 TEST(Linkage, NewtonStepConvergesQuadratically) {
-    for_every_corner([](const auto&, const auto& moving) {
+    for_every_linkage([](const auto&, const auto& moving) {
         using M = std::decay_t<decltype(moving)>;
         if constexpr (M::nW > 0) {
             const auto V = moving.V(0.21);
@@ -228,7 +159,7 @@ TEST(Linkage, NewtonStepConvergesQuadratically) {
 }
 
 TEST(Linkage, LinesChangeLengthAsTheirGradientAndDriftSay) {
-    for_every_corner([](const auto& suspension, const auto& moving) {
+    for_every_linkage([](const auto& suspension, const auto& moving) {
         const auto check = [&](const auto& line) {
             const auto line_at = [&](double t) {
                 const auto V = moving.V(t);

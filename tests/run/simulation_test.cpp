@@ -79,6 +79,47 @@ TEST(Simulation, RefusesAGainBeyondTheLimitAndTheRackBeyondItsStops) {
     EXPECT_THROW(Simulation(test::shipped_car(), s), io::Error);
 }
 
+// (57) and (58) undo each other: the velocities asked for at the start are those that come out, in both charts, with the
+// rack already moving.
+TEST(Simulation, StartsWithTheVelocitiesItWasGiven) {
+    for (const ChassisChart chart : {ChassisChart::quaternion, ChassisChart::bryant}) {
+        ScenarioDescription s = test::scenario(1);
+        s.initial.velocity = {12, 3, -0.5};
+        s.initial.angular_velocity = {0.2, -0.1, 0.6};
+        s.initial.yaw = 0.8;
+        s.solver.chart = chart;
+        s.steering_input = SteeringInput::rack;
+        s.steering = {{-1, 1}, {-0.01, 0.01}, Interpolation::linear};
+        const Simulation simulation(test::shipped_car(), s);
+        const Sample start = simulation.sample();
+        EXPECT_EQ(start.input.rack.rate, 0.01);
+        Spatial<double> expected;
+        expected << 12, 3, -0.5, 0.2, -0.1, 0.6;
+        EXPECT_LT((start.velocity.hub - expected).norm(), 1e-12);
+        for (int i = 0; i < 4; ++i) EXPECT_NEAR(start.momenta.spokes[static_cast<std::size_t>(i)].V_rate[0], 0, 1e-12);
+    }
+}
+
+TEST(Channels, AreNotDoubledByOverlappingPatterns) {
+    const auto all = all_channels(test::shipped_car());
+    EXPECT_EQ(select_channels(all, {"chassis.position.*", "chassis.position.x"}).size(), 3u);
+}
+
+TEST(AdaptiveMethod, GivesUpInsteadOfHangingWhereNothingIsFinite) {
+    VehicleDescription car = test::shipped_car();
+    for (CornerDescription& corner : car.corners)
+        std::get<LinearTireDescription>(corner.tire).vertical_stiffness = 1e30;
+    ScenarioDescription s = test::scenario(1, 20);
+    s.initial.settle = false;
+    s.initial.height = -0.01;
+    s.solver.integrator = "dopri5";
+    s.solver.step = 0.1;
+    Simulation simulation(car, s);
+    std::optional<End> end;
+    while (!simulation.finished() && !end) end = simulation.advance();
+    EXPECT_TRUE(end.has_value());
+}
+
 // Fig. 9 on a short, hard maneuver: the violation is least inside the stable range, and beyond 6/11 the run is lost.
 TEST(StabilizationSweep, HasItsLeastViolationInsideTheStableRange) {
     ScenarioDescription s = test::scenario(4, 15);
