@@ -9,7 +9,8 @@ namespace hamilcar {
 
 template <class T>
 struct Brake {
-    static constexpr double return_rate = 100;  // of wind-up beyond the limit while slipping [1/s]
+    static constexpr double return_rate = 100;     // of wind-up beyond the limit while slipping [1/s]
+    static constexpr double unwinding_rate = 300;  // largest, toward zero, per wind-up [1/s]
     T max_torque, stiffness, damping;
     T compliance;  // 1 / stiffness; zero where there is no brake
 
@@ -25,7 +26,11 @@ struct Brake {
     };
     Output evaluate(const T& command, const T& spin, const T& windup) const {
         const T limit = command * max_torque, held = limit * compliance;
-        const T windup_rate = spin - T(return_rate) * (windup - clamp(windup, T(-held), held));
+        const T outward = T(return_rate) * held;  // a slipping brake winds up no faster than it returns
+        const T inward = T(unwinding_rate);
+        const T turned =
+            clamp(spin, T(-outward - inward * max(windup, T(0))), T(outward + inward * max(-windup, T(0))));
+        const T windup_rate = turned - T(return_rate) * (windup - clamp(windup, T(-held), held));
         return {-clamp(T(stiffness * windup + damping * windup_rate), T(-limit), limit), windup_rate};
     }
 };

@@ -44,20 +44,23 @@ struct LinearTire {
         const T Fz = select(c.depth > T(0), max(elastic + damping * c.depth_rate, T(0)), T(0));
         const T x = Fz * load_scale, mu = friction * c.friction;
         const T c_y = cornering_at_zero / (T(1) + x * x);
-        const T sliding_from = mu / min(slip_stiffness, c_y);
 
+        // Sticking up to the friction circle of the elastic forces; beyond it the deflection returns, and the direction
+        // of the force turns from the elastic one to that of sliding, against the slip velocity.
         const T k_x = c.u * curvature_x, k_y = c.v * curvature_y;
-        const T k = sqrt(k_x * k_x + k_y * k_y + T(1e-30));
-        const T transport = abs(c.v_x) + T(return_speed) * max(T(1) - sliding_from / k, T(0));
+        const T elastic_x = slip_stiffness * k_x, elastic_y = c_y * k_y;
+        const T sticking = min(T(1), mu / sqrt(elastic_x * elastic_x + elastic_y * elastic_y + T(1e-30)));
+        const T transport = abs(c.v_x) + T(return_speed) * (T(1) - sticking);
         const T u_rate = -c.v_sx - transport * k_x;
         const T v_rate = -c.v_sy - transport * k_y;
 
-        const T g_x = k_x + carcass_damping * curvature_x * u_rate;
-        const T g_y = k_y + carcass_damping * curvature_y * v_rate;
-        const T limit = mu / sqrt(g_x * g_x + g_y * g_y + T(1e-30));
+        const T own = max(T(2) * sticking - T(1), T(0)), common = max(slip_stiffness, c_y) * (T(1) - own);
+        const T f_x = (own * slip_stiffness + common) * (k_x + carcass_damping * curvature_x * u_rate);
+        const T f_y = (own * c_y + common) * (k_y + carcass_damping * curvature_y * v_rate);
+        const T limited = Fz * min(T(1), mu / sqrt(f_x * f_x + f_y * f_y + T(1e-30)));
         const T resisting = c.omega / sqrt(c.omega * c.omega + T(1));
-        return {.Fx = Fz * g_x * min(slip_stiffness, limit),
-                .Fy = Fz * g_y * min(c_y, limit),
+        return {.Fx = limited * f_x,
+                .Fy = limited * f_y,
                 .Fz = Fz,
                 .elastic = elastic,
                 .rolling_moment = -rolling_resistance * Fz * rolling_radius * resisting,

@@ -17,6 +17,7 @@ using SimTK::Vector;
 namespace {
 
 constexpr double windup_return = 100;  // [1/s]
+constexpr double unwinding = 300;      // [1/s]
 
 double damper_force(const DamperDescription& damper, double velocity) {
     const auto& x = damper.velocity;
@@ -158,7 +159,10 @@ private:
         const int z = 3 * static_cast<int>(i) + 2;
         const double windup = subsystem_.getZ(state)[z];
         const double excess = windup - std::clamp(windup, -windup_limit, windup_limit);
-        const double windup_rate = wheel.getOneU(state, 0) - windup_return * excess;
+        const double slowest = windup_return * windup_limit;
+        const double turned = std::clamp(wheel.getOneU(state, 0), -slowest - unwinding * std::max(windup, 0.0),
+                                         slowest + unwinding * std::max(-windup, 0.0));
+        const double windup_rate = turned - windup_return * excess;
         subsystem_.updZDot(state)[z] = windup_rate;
         const double torque = brake.windup_stiffness * windup + brake.windup_damping * windup_rate;
         wheel.applyOneMobilityForce(state, 0, -std::clamp(torque, -limit, limit), mobility_forces);

@@ -65,21 +65,22 @@ Tangential tangential(const LinearTireDescription& tire, double road_friction, d
     const double cx = tire.longitudinal_stiffness;
     const double cy = 2 * (tire.cornering_reference / tire.cornering_load) / (1 + x * x);
     const double mu = tire.friction * road_friction;
-    const double onset = mu / std::min(cx, cy);
     const double kx = deflection.u / tire.relaxation_longitudinal, ky = deflection.v / tire.relaxation_lateral;
-    const double k = std::hypot(kx, ky);
-    const double sliding = k > 0 ? sliding_transport * std::max(0.0, 1 - onset / k) : 0;
-    const double transport = std::abs(slip.travel) + sliding;
+    const double elastic = std::hypot(cx * kx, cy * ky);
+    const double stick = elastic > mu ? mu / elastic : 1;
+    const double transport = std::abs(slip.travel) + sliding_transport * (1 - stick);
 
     Tangential result;
     result.rate = {-slip.longitudinal - transport * kx, -slip.lateral - transport * ky};
+    const double common = std::max(cx, cy);
     const double gx = kx + tire.carcass_damping * result.rate.u / tire.relaxation_longitudinal;
     const double gy = ky + tire.carcass_damping * result.rate.v / tire.relaxation_lateral;
-    const double g = std::hypot(gx, gy);
-    if (g > 0) {
-        result.longitudinal = load * gx * std::min(cx, mu / g);
-        result.lateral = load * gy * std::min(cy, mu / g);
-    }
+    const double own = std::max(2 * stick - 1, 0.0);
+    const double fx = (own * cx + (1 - own) * common) * gx, fy = (own * cy + (1 - own) * common) * gy;
+    const double f = std::hypot(fx, fy);
+    const double cut = f > mu ? mu / f : 1;
+    result.longitudinal = load * cut * fx;
+    result.lateral = load * cut * fy;
     return result;
 }
 

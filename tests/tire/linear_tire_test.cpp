@@ -57,13 +57,14 @@ TEST(LinearTire, HasThePublishedCorneringStiffness) {
     }
 }
 
-// F_i = Fz kappa_i min(c_i, mu / |kappa|), whatever the direction and the road.
-TEST(LinearTire, CombinedSteadySlipFollowsTheFrictionLimit) {
+// In steady slip the force is C kappa inside the friction circle and as large as friction allows outside, its direction
+// between that of C kappa and that of the slip.
+TEST(LinearTire, CombinedSteadySlipFollowsTheFrictionCircle) {
     const auto tire = test::shipped_tire();
     for (const double load : {front_load, 6000.0}) {
         const double c_y = lateral_stiffness(tire, load);
         for (const double road : {1.0, 0.4}) {
-            const double mu = tire.friction * road;
+            const double limit = tire.friction * road * load;
             for (const double slip : {0.01, 0.03, 0.06, 0.09, 0.2, 1.0}) {
                 for (int i = 0; i < 12; ++i) {
                     const double x = slip * std::cos(0.1 + i * std::numbers::pi / 6),
@@ -71,8 +72,17 @@ TEST(LinearTire, CombinedSteadySlipFollowsTheFrictionLimit) {
                     auto contact = slipping(tire, load, i % 2 ? 25 : -4, x, y);
                     contact.friction = road;
                     const auto force = test::settled(tire, contact);
-                    EXPECT_NEAR(force.Fx, load * x * std::min(20.0, mu / slip), 1e-9 * load) << slip << " " << i;
-                    EXPECT_NEAR(force.Fy, load * y * std::min(c_y, mu / slip), 1e-9 * load) << slip << " " << i;
+                    const double elastic_x = 20 * load * x, elastic_y = c_y * load * y;
+                    if (std::hypot(elastic_x, elastic_y) <= limit) {
+                        EXPECT_NEAR(force.Fx, elastic_x, 1e-9 * load) << slip << " " << i;
+                        EXPECT_NEAR(force.Fy, elastic_y, 1e-9 * load) << slip << " " << i;
+                        continue;
+                    }
+                    EXPECT_NEAR(std::hypot(force.Fx, force.Fy), limit, 1e-9 * load) << slip << " " << i;
+                    const double against_slip = force.Fx * y - force.Fy * x;  // turned toward C kappa or not at all
+                    const double against_elastic = force.Fx * elastic_y - force.Fy * elastic_x;
+                    EXPECT_GE(force.Fx * x + force.Fy * y, 0);
+                    EXPECT_LE(against_slip * against_elastic, 1e-12 * limit * limit) << slip << " " << i;
                 }
             }
         }

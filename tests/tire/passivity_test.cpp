@@ -47,8 +47,17 @@ private:
 };
 
 // A standing wheel whose contact is led once round an ellipse of transient slip: center and radius of k, either sense.
+Cycle standing_round(const LinearTireDescription& tire, Deflection<double> start, double radius, double period,
+                     double sense, int steps = 2000);
 Cycle standing_round(const LinearTireDescription& tire, Vector<double, 2> center, double radius, double period,
                      double sense) {
+    const double sx = tire.relaxation_longitudinal, sy = tire.relaxation_lateral;
+    return standing_round(tire, {sx * (center[0] + radius), sy * center[1]}, radius, period, sense, 20000);
+}
+
+// The same velocities from any deflection.
+Cycle standing_round(const LinearTireDescription& tire, Deflection<double> start, double radius, double period,
+                     double sense, int steps) {
     const double sx = tire.relaxation_longitudinal, sy = tire.relaxation_lateral;
     const double w = sense * 2 * std::numbers::pi / period;
     const auto contact_at = [=](double t) {
@@ -57,7 +66,7 @@ Cycle standing_round(const LinearTireDescription& tire, Vector<double, 2> center
         c.v_sy = -sy * radius * w * std::cos(w * t);
         return c;
     };
-    return {tire, contact_at, period, 20000, {sx * (center[0] + radius), sy * center[1]}};
+    return {tire, contact_at, period, steps, start};
 }
 
 // Slip at which each force alone reaches the friction limit.
@@ -88,16 +97,17 @@ TEST(TirePassivity, StandingWellInsideTheLimitItIsASpring) {
     }
 }
 
-// Where one direction already slides and the other still sticks.
-TEST(TirePassivity, StandingBetweenTheTwoLimitsItGivesBackNoMoreThanItTook) {
+// Led round so widely that it sticks and slides in turn: once the cycle repeats itself, it takes work.
+TEST(TirePassivity, StickingAndSlidingInTurnTakesWork) {
     const auto tire = test::shipped_tire();
-    const double inner = longitudinal_limit(tire), outer = lateral_limit(tire);
-    ASSERT_LT(inner, outer);
-    const Vector<double, 2> center = Vector<double, 2>::Ones() * (inner + outer) / 2 / std::numbers::sqrt2;
     for (const double period : {0.1, 1.0, 10.0}) {
-        for (const double sense : {1.0, -1.0}) {
-            const Cycle round = standing_round(tire, center, 0.45 * (outer - inner), period, sense);
-            EXPECT_GE(round.work(), -1e-6 * round.turnover()) << "period " << period << " s, sense " << sense;
+        for (const double radius : {0.06, 0.1, 0.3}) {
+            for (const double sense : {1.0, -1.0}) {
+                Deflection<double> start{0, 0};
+                for (int i = 0; i < 20; ++i) start = standing_round(tire, start, radius, period, sense).end();
+                const Cycle round = standing_round(tire, start, radius, period, sense);
+                EXPECT_GT(round.work(), 0) << "period " << period << " s, radius " << radius << ", sense " << sense;
+            }
         }
     }
 }
