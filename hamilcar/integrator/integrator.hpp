@@ -61,8 +61,8 @@ private:
 
     // to = from + h sum_j row[j + skip] f_{n-j}
     void add_past(const AdamsRow& row, int skip, const State& from, State& to) {
-        std::array<const T*, max_adams_order> rate;
-        std::array<T, max_adams_order> weight;
+        std::array<const T*, max_adams_order> rate{};
+        std::array<T, max_adams_order> weight{};
         const int count = method_.order - skip;
         for (int j = 0; j < count; ++j) {
             rate[j] = past_[(newest_ + max_adams_order - j) % max_adams_order].values.data();

@@ -28,7 +28,7 @@ Vector<T, N> solve_positive_definite(Matrix<T, N, N> K, Vector<T, N> b) {
     return x;
 }
 
-// Inverse and determinant of a small general matrix by cofactors (N <= 4).
+// Inverse and determinant of a small general matrix by cofactors, for the sizes that linkages have (N = 1 and 3).
 template <class T, int N>
 struct Inverse {
     Matrix<T, N, N> matrix;
