@@ -5,7 +5,6 @@
 
 #include "commands.hpp"
 #include "hamilcar/analysis/freedom.hpp"
-#include "hamilcar/io/scenario_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/run/channels.hpp"
 
@@ -111,8 +110,10 @@ io::ExitCode check(const Options& options) {
     const ScenarioDescription scenario =
         io::is_scenario(options.file) ? io::read_scenario(options.file) : standing_still(options.file);
     const VehicleDescription vehicle = io::read_vehicle(scenario.vehicle);
-    in_file(options.file, [&] { return select_channels(all_channels(vehicle), scenario.output.channels); });
-    const Simulation simulation = in_file(options.file, [&] { return Simulation(vehicle, scenario); });
+    in_files(options.file, scenario.vehicle,
+             [&] { return select_channels(all_channels(vehicle), scenario.output.channels); });
+    const Simulation simulation =
+        in_files(options.file, scenario.vehicle, [&] { return Simulation(vehicle, scenario); });
     const nlohmann::json facts = describe(simulation, options.file);
     const std::string text = options.json ? facts.dump(2) + "\n" : report(facts);
     if (options.output.empty()) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "hamilcar/io/error.hpp"
+#include "hamilcar/io/scenario_file.hpp"
 
 namespace hamilcar::cli {
 
@@ -22,13 +23,15 @@ void make_folder(const std::string& path);
 // Writes a whole small file; throws io::Error(input_output).
 void write_file(const std::string& path, const std::string& text);
 
-// Runs `f`; an error that it throws gets the file's name in front.
+// Runs `f`; an error that it throws gets its place in front: the key's in the scenario, or the vehicle's file where the
+// car itself fails.
 template <class F>
-auto in_file(const std::string& path, F&& f) {
+auto in_files(const std::string& scenario, const std::string& vehicle, F&& f) {
     try {
         return f();
     } catch (const io::Error& error) {
-        throw io::Error(error.code(), path + ": " + error.what());
+        const bool car = error.code() == io::ExitCode::numerical;
+        throw io::Error(error.code(), (car ? vehicle : io::place_of(scenario, error.key())) + ": " + error.what());
     }
 }
 

@@ -8,7 +8,6 @@
 #include "commands.hpp"
 #include "hamilcar/analysis/freedom.hpp"
 #include "hamilcar/io/picture.hpp"
-#include "hamilcar/io/scenario_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/run/record.hpp"
 #include "hamilcar/run/stabilization_sweep.hpp"
@@ -218,7 +217,7 @@ io::ExitCode paper(const Options& options) {
     const VehicleDescription vehicle = io::read_vehicle(scenario.vehicle);
     const std::string folder = options.output.empty() ? "out/paper" : options.output;
     make_folder(folder);
-    Simulation simulation = in_file(file, [&] { return Simulation(vehicle, scenario); });
+    Simulation simulation = in_files(file, scenario.vehicle, [&] { return Simulation(vehicle, scenario); });
     nlohmann::json facts;
     facts["table_2"] = write_table_2(folder, simulation);
     facts["table_3"] = write_table_3(folder, scenario.solver.step);

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "hamilcar/io/scenario_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/run/record.hpp"
 #include "progress.hpp"
@@ -43,9 +42,9 @@ Files open_files(const std::string& folder, const ScenarioDescription& scenario,
 io::ExitCode run(const Options& options) {
     const ScenarioDescription scenario = io::read_scenario(options.file);
     const VehicleDescription vehicle = io::read_vehicle(scenario.vehicle);
-    const auto channels =
-        in_file(options.file, [&] { return select_channels(all_channels(vehicle), scenario.output.channels); });
-    Simulation simulation = in_file(options.file, [&] { return Simulation(vehicle, scenario); });
+    const auto channels = in_files(options.file, scenario.vehicle,
+                                   [&] { return select_channels(all_channels(vehicle), scenario.output.channels); });
+    Simulation simulation = in_files(options.file, scenario.vehicle, [&] { return Simulation(vehicle, scenario); });
     const std::string name = std::filesystem::path(options.file).stem().string();
     const std::string folder = options.output.empty() ? "out/" + name : options.output;
     make_folder(folder);

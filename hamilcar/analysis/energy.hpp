@@ -17,7 +17,7 @@ Energy<T> energy(const Model<T>& model, const State<T>& state, const Velocity<T>
     const Vehicle<T>& vehicle = model.vehicle;
     const auto height = [&](const Vec3<T>& p) { return velocity.R_GC.row(2).dot(p) + state.position()[2]; };
     Energy<T> e;
-    e.kinetic = T(0.5) * velocity.hub.dot(vehicle.chassis_inertia * velocity.hub);
+    e.kinetic = T(0.5) * velocity.hub.dot(vehicle.chassis_inertia * velocity.hub);  // (56)
     e.potential = vehicle.chassis.mass * vehicle.gravity * height(vehicle.chassis.center) +
                   vehicle.hull.potential(model.road.seen_from(state.position(), velocity.R_GC));
     e.drift = T(0);

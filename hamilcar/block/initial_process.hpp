@@ -1,7 +1,7 @@
 // Initial Process block (paper, section 6.1 (1)): from what a person knows of the start to a complete state.
 //
-// Newton-Raphson closes the loops, a second Newton iteration finds the static equilibrium on the road, and the momenta
-// P_a(0) follow from the initial velocities. Runs once, before the first step, in plain doubles.
+// Newton-Raphson closes the loops, the car settles on the road (equilibrium.hpp), and the momenta P_a(0) follow from the
+// initial velocities. Runs once, before the first step, in plain doubles.
 #pragma once
 
 #include "hamilcar/block/momenta.hpp"
@@ -31,15 +31,6 @@ AssemblyResult assemble(const Model<double>& model, const RackMotion<double>& ra
 
 // The state at design: chassis at `position` with `R_GC`, V at design, everything at rest, loops not yet closed.
 State<double> design_state(const Model<double>& model, const Vec3<double>& position, const Mat3<double>& R_GC);
-
-struct EquilibriumResult {
-    bool found = false;
-    double residual = 0;  // largest unbalanced force or moment [N, N m]
-};
-
-// Settles a state at rest: heave, roll, pitch and V such that no force is left; wheels that stand on a slope hold the
-// car by tire deflection and brake if the brakes can. Heading and ground position are kept.
-EquilibriumResult settle(const Model<double>& model, Input<double> input, State<double>& state);
 
 // P_a(0) for the chassis moving with v_1 (velocity of its origin ; angular velocity, chassis axes) and V' = 0. Wheels
 // roll without longitudinal slip.  // (57)

@@ -115,22 +115,23 @@ void spoke_momenta(const Spoke<T>& spoke, const S& suspension, const SpokeVeloci
     const Spatial<T> h = at.inertia * at.motion + at.spin_momentum;
 
     SpokeForces<T>& f = out.forces;
-    const Vec3<T> center = at.position.pose.point(spoke.wheel.center);
     f.drive_torque = spoke.drive_share * input.drive_torque;
     const Spatial<T> weight = spatial<T>(world.gravity * at.inertia.mass, at.inertia.moment.cross(world.gravity));
-    const Spatial<T> external = weight + tire_wrench<T>(spoke, world.road, center, at.spin_axis, at.motion, state, f);
+    const Spatial<T> external =
+        weight + tire_wrench<T>(spoke, world.road, at.wheel_center, at.spin_axis, at.motion, state, f);
     wheel_momenta(spoke, state, input, out);
 
     const auto spring = suspension.spring_line(at.position, state.independent);
     const auto damper = suspension.damper_line(at.position, state.independent);
-    const auto travel = line_through<T>(f.travel, center, Vec3<T>(T(0), T(0), T(1)), at.position.J, at.position.x);
+    const auto travel =
+        line_through<T>(f.travel, at.wheel_center, Vec3<T>(T(0), T(0), T(1)), at.position.J, at.position.x);
     f.spring_length = spring.length;
     f.damper_rate = damper.rate(at.V_rate);
     f.spring = spoke.spring.force(spring.length);
     f.damper = spoke.damper.force(f.damper_rate);
     f.stop = spoke.bump.force(f.travel) - spoke.rebound.force(T(-f.travel));
 
-    Spatial<T> Q = external;
+    Spatial<T> Q = external;  // (55)
     angular(Q) += at.spin_axis * f.drive_torque;
     const Spatial<T> carried = Q - cross_force<T>(world.hub, h);
     const Vector<T, nV> rate = at.position.J.transpose() * carried + rates.J.transpose() * h +  // (71)
@@ -152,7 +153,7 @@ template <class T>
 void anti_roll_forces(const Vehicle<T>& vehicle, const Velocity<T>& velocity, Momenta<T>& out) {
     for (int i = 0; i < vehicle.spoke_count(); ++i) {
         visit_spoke(vehicle, velocity, i, [&](const Spoke<T>& spoke, const auto&, const auto& at) {
-            out.spokes[i].forces.travel = at.position.pose.point(spoke.wheel.center)[2] - spoke.wheel.center[2];
+            out.spokes[i].forces.travel = at.wheel_center[2] - spoke.wheel.center[2];
             out.spokes[i].forces.bar = T(0);
         });
     }

@@ -18,7 +18,7 @@ void rate_of_state(const Model<T>& model, const State<T>& state, const Velocity<
     with_chart(model, [&](auto chart) {
         const Vector<T, 4> orientation = state.orientation();
         rate.orientation() = chart.orientation_rate(orientation, rates);
-        rate.momentum() = chart.stored_momentum_rate(orientation, rates);
+        rate.momentum() = chart.stored_momentum_rate(orientation, rates);  // (71)
     });
     rate.position() = r_rate;
     rate.work() = momenta.work_rate;

@@ -18,6 +18,7 @@ struct SpokeVelocity {
     static constexpr int nV = Linkage::nV;
     typename Linkage::Position position;
     SpatialInertia<T> inertia;  // Mhat of the carrier
+    Vec3<T> wheel_center;       // [m]
     Vec3<T> spin_axis;          // e
     Spatial<T> spin_momentum;   // (0 ; e p_s)
     Matrix<T, 6, nV> MJ;        // Mhat J
@@ -84,14 +85,15 @@ void condense_spoke(const Spoke<T>& spoke, const S& suspension, const SpokeState
     const auto& at = out.position;
     out.inertia = SpatialInertia<T>::about_origin(spoke.carrier.mass, at.pose.point(spoke.carrier.center),
                                                   spoke.carrier.inertia.rotated(at.pose.R));
+    out.wheel_center = at.pose.point(spoke.wheel.center);
     out.spin_axis = at.pose.direction(spoke.wheel.axis);
     out.spin_momentum = spatial<T>(Vec3<T>::Zero(), out.spin_axis * state.spin_momentum);
     for (int j = 0; j < nV; ++j) out.MJ.col(j) = out.inertia * Spatial<T>(at.J.col(j));
-    out.m_inverse = inverse<T>(Matrix<T, nV, nV>(at.J.transpose() * out.MJ)).matrix;
+    out.m_inverse = inverse<T>(Matrix<T, nV, nV>(at.J.transpose() * out.MJ)).matrix;  // (59), A.5
 
     Spatial<T> carried = out.spin_momentum;
     if constexpr (S::Linkage::nW > 0) carried += out.inertia * at.x;
-    out.k = Eigen::Map<const Vector<T, nV>>(state.momentum) - at.J.transpose() * carried;
+    out.k = Eigen::Map<const Vector<T, nV>>(state.momentum) - at.J.transpose() * carried;  // (57)
 
     const Matrix<T, 6, nV> condensed = out.MJ * out.m_inverse;
     out.inertia.add_to_lower(K);
@@ -132,8 +134,8 @@ Velocity<T> velocity_block(const Model<T>& model, const State<T>& state, const I
     out.hub = solve_positive_definite<T, 6>(K, rest);  // (58)
     for (int i = 0; i < vehicle.spoke_count(); ++i) {
         visit_spoke(vehicle, out, i, [&](const auto&, const auto&, auto& spoke) {
-            spoke.V_rate = spoke.m_inverse * (spoke.k - spoke.MJ.transpose() * out.hub);
-            spoke.motion = out.hub + spoke.position.J * spoke.V_rate + spoke.position.x;
+            spoke.V_rate = spoke.m_inverse * (spoke.k - spoke.MJ.transpose() * out.hub);  // (58)
+            spoke.motion = out.hub + spoke.position.J * spoke.V_rate + spoke.position.x;  // (18), (42)
         });
     }
     return out;

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace hamilcar::io {
 
@@ -19,11 +20,15 @@ enum class ExitCode : int {
 
 class Error : public std::runtime_error {
 public:
-    Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+    // `key` is the dotted key of a file that the message is about, for whoever knows the file to find its place.
+    Error(ExitCode code, const std::string& message, std::string key = {})
+        : std::runtime_error(message), code_(code), key_(std::move(key)) {}
     ExitCode code() const { return code_; }
+    const std::string& key() const { return key_; }
 
 private:
     ExitCode code_;
+    std::string key_;
 };
 
 }  // namespace hamilcar::io

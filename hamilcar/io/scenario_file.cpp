@@ -115,6 +115,20 @@ OutputDescription read_output(const TableReader& table) {
 
 }  // namespace
 
+std::string place_of(const std::string& path, std::string_view key) {
+    Node document = read_toml(path);
+    Node* at = &document;
+    while (!key.empty()) {
+        const std::size_t dot = std::min(key.find('.'), key.size());
+        Node* next = at->find(key.substr(0, dot));
+        if (!next) break;
+        at = next;
+        key.remove_prefix(std::min(dot + 1, key.size()));
+    }
+    if (at == &document) return path;
+    return at->file->path + ":" + std::to_string(at->begin.line) + ":" + std::to_string(at->begin.column);
+}
+
 bool is_scenario(const std::string& path) {
     Node document = read_toml(path);
     return TableReader(document, "").has("vehicle");

@@ -24,8 +24,8 @@ struct RevoluteSpherical {
 
     template <class Phi, class Gradients>
     void evaluate(const Vec3<T>& P, const T&, Phi phi, Gradients g) const {
-        const Vec3<T> d = P - foot;
-        phi[0] = axis.dot(d);
+        const Vec3<T> d = P - foot;  // (22)
+        phi[0] = axis.dot(d);        // (21)
         phi[1] = d.squaredNorm() - length * length;
         g.col(0) = axis;
         g.col(1) = T(2) * d;
@@ -55,8 +55,8 @@ struct Distance {
 
     template <class Phi, class Gradients>
     void evaluate(const Vec3<T>& P, const T& rack, Phi phi, Gradients g) const {
-        const Vec3<T> d = P - end - drive_axis * rack;
-        phi[0] = d.squaredNorm() - length * length;
+        const Vec3<T> d = P - end - drive_axis * rack;  // (24)
+        phi[0] = d.squaredNorm() - length * length;     // (23)
         g.col(0) = T(2) * d;
     }
     template <class Gradients>

@@ -14,7 +14,7 @@ struct Line {
     T rate(const Vector<T, nV>& V_rate) const { return gradient.dot(V_rate) + drift; }
 };
 
-// A line of force along the unit vector n through the carrier's point p, all in chassis axes.
+// A line of force along the unit vector n through the carrier's point p, all in chassis axes.  // (44)
 template <class T, int nV>
 HAMILCAR_CORE Line<T, nV> line_through(const T& length, const Vec3<T>& p, const Vec3<T>& n, const Matrix<T, 6, nV>& J,
                                        const Spatial<T>& x) {

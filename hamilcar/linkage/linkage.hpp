@@ -34,7 +34,7 @@ struct Coordinates {
 template <class T, int nq, int nV, int nW>
 struct LinkagePosition {
     Pose<T> pose;
-    Matrix<T, 6, nq> B;     // columns of the tree joints  // (14), (17)
+    Matrix<T, 6, nq> B;     // columns of the tree joints  // (14), (17), (18), A.2
     Vector<T, nW> Phi;      // constraint equations  // (25)
     Matrix<T, 6, nW> G;     // (g ; P x g), Phi_q = G^T B  // (26), A.3
     Matrix<T, 3, nW> tips;  // P of each equation
@@ -109,8 +109,8 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
                 const T& alpha) const {
         Rates out;
         std::array<T, nq> q_rate;
-        if constexpr (nW > 0) W_rate = at.H * V_rate + at.X;  // (38)
-        for (int i = 0; i < nV; ++i) q_rate[Independent::index[i]] = V_rate[i];
+        if constexpr (nW > 0) W_rate = at.H * V_rate + at.X;                     // (38)
+        for (int i = 0; i < nV; ++i) q_rate[Independent::index[i]] = V_rate[i];  // (40), (41)
         for (int i = 0; i < nW; ++i) q_rate[Dependent::index[i]] = W_rate[i];
         Matrix<T, 6, nq> B_rate;
         const Spatial<T> v = carry_tree(at.B, q_rate, B_rate);
@@ -133,10 +133,15 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
         return out;
     }
 
-    // Visits the cut joints in the order of their equations.
+    // Visits the cut joints in the order of their equations: visit(cut joint, its first equation).
     template <class Visitor>
-    void for_each_cut(Visitor&& visit) const {
-        std::apply([&](const auto&... cut) { (visit(cut), ...); }, cuts);
+    void visit_cuts(Visitor&& visit) const {
+        std::apply(
+            [&](const auto&... cut) {
+                [[maybe_unused]] int row = 0;
+                ((visit(cut, row), row += std::decay_t<decltype(cut)>::equations), ...);
+            },
+            cuts);
     }
 
 private:
@@ -176,25 +181,15 @@ private:
         return carry_from(AtRest<T>{}, B, rate, B_rate);
     }
 
-    template <class Visitor>  // visit(cut joint, first equation)
-    void visit_cuts(Visitor&& visit) const {
-        std::apply(
-            [&](const auto&... cut) {
-                int row = 0;
-                ((visit(cut, row), row += std::decay_t<decltype(cut)>::equations), ...);
-            },
-            cuts);
-    }
-
     void close_loops(const RackMotion<T>& rack, Position& out) const {
         visit_cuts([&](const auto& cut, int row) {
             constexpr int n = std::decay_t<decltype(cut)>::equations;
             const Vec3<T> P = out.pose.point(cut.tip);
             Matrix<T, 3, n> g;
-            cut.evaluate(P, rack.displacement, out.Phi.data() + row, Eigen::Ref<Matrix<T, 3, n>>(g));
+            cut.evaluate(P, rack.displacement, out.Phi.data() + row, Eigen::Ref<Matrix<T, 3, n>>(g));  // (25)
             for (int i = 0; i < n; ++i) {
                 out.tips.col(row + i) = P;
-                out.G.col(row + i) = force_at<T>(P, g.col(i));
+                out.G.col(row + i) = force_at<T>(P, g.col(i));  // (26), A.3
             }
         });
     }
@@ -206,9 +201,9 @@ private:
         out.Phi_w_inverse = inverted.matrix;
         out.determinant = inverted.determinant;
         out.H = -(out.Phi_w_inverse * (out.G.transpose() * B_V));                   // (39)
-        out.X = -(out.Phi_w_inverse * (driven_rate(out, rack) + alpha * out.Phi));  // (39)
-        out.J = B_V + B_W * out.H;
-        out.x = B_W * out.X;
+        out.X = -(out.Phi_w_inverse * (driven_rate(out, rack) + alpha * out.Phi));  // (27), (39)
+        out.J = B_V + B_W * out.H;                                                  // (43)
+        out.x = B_W * out.X;                                                        // (43)
     }
 
     Vector<T, nW> newton_correction(const T* V, const T* W, const RackMotion<T>& rack) const {
@@ -218,12 +213,12 @@ private:
         return inverse<T>(Matrix<T, nW, nW>(at.G.transpose() * pick<Dependent>(at.B))).matrix * at.Phi;
     }
 
-    // Phi_t = -g.u rack'; the paper prints the opposite sign.  // (28)
+    // Phi_t = -g.u rack'; the paper prints the opposite sign.
     Vector<T, nW> driven_rate(const Position& at, const RackMotion<T>& rack) const {
         Vector<T, nW> Phi_t = Vector<T, nW>::Zero();
         visit_cuts([&](const auto& cut, int row) {
             if constexpr (std::decay_t<decltype(cut)>::driven)
-                Phi_t[row] = -linear(at.G.col(row)).dot(cut.drive_axis) * rack.rate;
+                Phi_t[row] = -linear(at.G.col(row)).dot(cut.drive_axis) * rack.rate;  // (28)
         });
         return Phi_t;
     }

@@ -37,8 +37,8 @@ struct Revolute {
 
     template <class Parent, class Columns>
     HAMILCAR_CORE Pose<T> place(const Parent& parent, const T* q, Columns& B, int first) const {
-        B.col(first) = rotation_column<T>(parent.point(point), parent.direction(axis));
-        return turned(parent, axis_rotation(axis, q[0]), point);
+        B.col(first) = rotation_column<T>(parent.point(point), parent.direction(axis));  // (14), A.2
+        return turned(parent, axis_rotation(axis, q[0]), point);                         // (3), (4)
     }
     template <class Motion, class Columns, class Rates>
     HAMILCAR_CORE Spatial<T> carry(const Motion& v, const Columns& B, const T* rate, int first, Rates& B_rate) const {
@@ -57,7 +57,7 @@ struct Prismatic {
     template <class Parent, class Columns>
     HAMILCAR_CORE Pose<T> place(const Parent& parent, const T* q, Columns& B, int first) const {
         const Vec3<T> e = parent.direction(axis);
-        B.col(first) = translation_column<T>(e);
+        B.col(first) = translation_column<T>(e);  // (17), A.2
         return shifted(parent, Vec3<T>(e * (q[0] - reference)));
     }
     template <class Motion, class Columns, class Rates>
@@ -81,6 +81,7 @@ struct BryantSpherical {
         const Mat3<T> R = bryant_rotation(angles).transpose();  // (6)
         const auto& [s3, c3] = angles.z;
         const Vec3<T> p = parent.point(center);
+        // -(p x A2 D2 ; A2 D2)  // (15), A.2
         B.col(first) = rotation_column<T>(p, parent.direction(-R.col(0)));
         B.col(first + 1) = rotation_column<T>(p, parent.direction(Vec3<T>(-s3, -c3, T(0))));
         B.col(first + 2) = rotation_column<T>(p, parent.direction(Vec3<T>(T(0), T(0), T(-1))));

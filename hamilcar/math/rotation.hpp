@@ -45,7 +45,7 @@ Mat3<T> bryant_rate_matrix(const BryantAngles<T>& q) {
     return D;
 }
 
-// Rotation by `angle` [rad] about the unit vector `axis`.
+// Rotation by `angle` [rad] about the unit vector `axis`.  // A.1
 template <class T>
 Mat3<T> axis_rotation(const Vec3<T>& axis, const T& angle) {
     const auto [s, c] = sincos(angle);

@@ -33,25 +33,25 @@ HAMILCAR_CORE auto angular(Eigen::MatrixBase<Derived>& s) {
     return s.template tail<3>();
 }
 
-// Unit rotation about axis e through point p: (p x e ; e).
+// Unit rotation about axis e through point p: (p x e ; e).  // A.2
 template <class T>
 HAMILCAR_CORE Spatial<T> rotation_column(const Vec3<T>& p, const Vec3<T>& e) {
     return spatial<T>(p.cross(e), e);
 }
 
-// Unit translation along e: (e ; 0).
+// Unit translation along e: (e ; 0).  // A.2
 template <class T>
 HAMILCAR_CORE Spatial<T> translation_column(const Vec3<T>& e) {
     return spatial<T>(e, Vec3<T>::Zero());
 }
 
-// Force f at point p: (f ; p x f).
+// Force f at point p: (f ; p x f).  // (55)
 template <class T>
 HAMILCAR_CORE Spatial<T> force_at(const Vec3<T>& p, const Vec3<T>& f) {
     return spatial<T>(f, p.cross(f));
 }
 
-// Velocity that motion v gives to the point p.
+// Velocity that motion v gives to the point p.  // (10)
 template <class T>
 HAMILCAR_CORE Vec3<T> velocity_at(const Spatial<T>& v, const Vec3<T>& p) {
     return linear(v) + angular(v).cross(p);
@@ -99,7 +99,7 @@ struct RigidBody {
     Symmetric3<T> inertia;
 };
 
-// Spatial inertia about O.  // Mhat
+// Spatial inertia about O: Mhat of (56), (57).
 template <class T>
 struct SpatialInertia {
     T mass;

@@ -196,7 +196,8 @@ std::vector<Channel> select_channels(const std::vector<Channel>& all, const std:
         throw io::Error(
             io::ExitCode::bad_file,
             fmt::format("key 'output.channels': unknown channel \"{}\"{}; 'hamilcar check --json' lists all channels",
-                        name, nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : ""));
+                        name, nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : ""),
+            "output.channels");
     }
     return chosen;
 }

@@ -18,8 +18,9 @@ constexpr double lost_assembly_violation = 5e-3;
 // A linkage whose det Phi_w has fallen to this share of its design value is about to lock.
 constexpr double locking_mobility = 1e-3;
 
-[[noreturn]] void reject(const std::string& message) {
-    throw io::Error(io::ExitCode::bad_file, message);
+// A mistake at a key of the scenario; the message goes on after the key's name.
+[[noreturn]] void reject(const std::string& key, const std::string& message) {
+    throw io::Error(io::ExitCode::bad_file, fmt::format("key '{}'{}", key, message), key);
 }
 
 const Method& require_method(const SolverDescription& solver) {
@@ -27,14 +28,14 @@ const Method& require_method(const SolverDescription& solver) {
     if (method) return *method;
     std::string known;
     for (const Method& m : methods) known += (known.empty() ? "" : ", ") + std::string(m.name);
-    reject(fmt::format("key 'solver.integrator' = \"{}\": expected one of {}", solver.integrator, known));
+    reject("solver.integrator", fmt::format(" = \"{}\": expected one of {}", solver.integrator, known));
 }
 
 double require_gain(const SolverDescription& solver) {
     require_method(solver);
     const GainChoice choice = stabilization_gain(solver);
     if (choice.expectation.empty()) return choice.gain;
-    reject(fmt::format("key 'solver.stabilization_gain_per_s' = {:g}: expected {}", choice.gain, choice.expectation));
+    reject("solver.stabilization_gain_per_s", fmt::format(" = {:g}: expected {}", choice.gain, choice.expectation));
 }
 
 Model<double> make_model(const VehicleDescription& vehicle, const ScenarioDescription& scenario) {
@@ -48,18 +49,17 @@ Model<double> make_model(const VehicleDescription& vehicle, const ScenarioDescri
 // An input that nothing in the car listens to is a mistake in the scenario or in the vehicle.
 void check_inputs(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
     if (scenario.steering_input == SteeringInput::steering_wheel && vehicle.steering.rack_per_revolution <= 0) {
-        reject(
-            fmt::format("key 'inputs.steering_wheel': {} has no [steering]; expected rack_m_per_revolution there, or "
-                        "inputs.rack here",
-                        vehicle.name));
+        reject("inputs.steering_wheel",
+               fmt::format(": {} has no [steering]; expected rack_m_per_revolution there, or inputs.rack here",
+                           vehicle.name));
     }
     double driven = 0;
     for (const CornerDescription& corner : vehicle.corners) driven += corner.drive_share;
     for (const double torque : scenario.drive.value) {
         if (torque == 0 || driven > 0) continue;
-        reject(fmt::format(
-            "key 'inputs.drive' asks for {:g} N m, but no axle of {} is driven; expected a drive_share there", torque,
-            vehicle.name));
+        reject("inputs.drive",
+               fmt::format(" asks for {:g} N m, but no axle of {} is driven; expected a drive_share there", torque,
+                           vehicle.name));
     }
 }
 
@@ -71,10 +71,9 @@ void check_rack(const ScenarioDescription& scenario, const SteeringDescription& 
     for (std::size_t i = 0; i < scenario.steering.value.size(); ++i) {
         const double rack = scale * scenario.steering.value[i];
         if (std::abs(rack) <= steering.rack_travel) continue;
-        reject(
-            fmt::format("key 'inputs.{}' at t = {:g} s: the rack would stand at {:.4g}, expected within -{} to {} [m]",
-                        wheel ? "steering_wheel" : "rack", scenario.steering.time[i], rack, steering.rack_travel,
-                        steering.rack_travel));
+        reject(wheel ? "inputs.steering_wheel" : "inputs.rack",
+               fmt::format(" at t = {:g} s: the rack would stand at {:.4g}, expected within -{} to {} [m]",
+                           scenario.steering.time[i], rack, steering.rack_travel, steering.rack_travel));
     }
 }
 

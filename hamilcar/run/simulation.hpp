@@ -6,6 +6,7 @@
 #include <string>
 
 #include "hamilcar/analysis/energy.hpp"
+#include "hamilcar/block/equilibrium.hpp"
 #include "hamilcar/block/initial_process.hpp"
 #include "hamilcar/block/integration.hpp"
 #include "hamilcar/driver/schedule.hpp"

@@ -64,32 +64,38 @@ TEST(Energy, FallsSixteenfoldPerHalvingWithRungeKutta) {
     }
 }
 
-// The order of the state itself, against a reference at a tenth of the step: every fixed-step method has the order it
-// states, within a tenth of an order below.
-class StatedOrder : public testing::TestWithParam<const char*> {};
+// The order of the whole state, against a reference at a much smaller step: every fixed-step method has the order it
+// states, at most 0.15 below. ab6 and ab7 are measured in tests/integrator alone: here the steps that they are stable with
+// leave errors below 1e-9, too near the reference's own for a slope. (So is the adaptive one's; its error here below.)
+class StatedOrder : public testing::TestWithParam<const char*> {
+protected:
+    static constexpr double duration = 0.2;
+    static const State<double>& reference() {
+        static const State<double> state = run_thrown("rk4", 1e-5, duration).state;
+        return state;
+    }
+    // Relative to the reference, numbers below one counting as one.
+    static double error(const char* method, double step) {
+        const State<double> state = run_thrown(method, step, duration).state;
+        double sum = 0;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(State<double>::size(corners)); ++i) {
+            const double scale = std::max(1.0, std::abs(reference().values[i]));
+            sum += std::pow((state.values[i] - reference().values[i]) / scale, 2);
+        }
+        return std::sqrt(sum);
+    }
+};
 
 TEST_P(StatedOrder, IsMeasuredOnTheWholeCar) {
     const Method& method = *find_method(GetParam());
-    const double coarse = method.order >= 6 ? 2.5e-4 : method.order <= 2 ? 1e-3 : 5e-4;
-    constexpr double duration = 0.2;
-    const auto reference = run_thrown("rk4", 2e-5, duration).state;
-    const auto error = [&](double step) {
-        const auto state = run_thrown(GetParam(), step, duration).state;
-        double sum = 0;
-        for (int i = 0; i < State<double>::size(corners); ++i) {
-            const double scale = std::max(1.0, std::abs(reference.values[static_cast<std::size_t>(i)]));
-            sum += std::pow(
-                (state.values[static_cast<std::size_t>(i)] - reference.values[static_cast<std::size_t>(i)]) / scale, 2);
-        }
-        return std::sqrt(sum);
-    };
-    const double e1 = error(coarse), e2 = error(coarse / 2), order = std::log2(e1 / e2);
+    const double coarse = method.order <= 2 ? 1e-3 : 5e-4;
+    const double e1 = error(GetParam(), coarse), e2 = error(GetParam(), coarse / 2), order = std::log2(e1 / e2);
     std::printf("%s: error %.2e, %.2e, order %.2f\n", GetParam(), e1, e2, order);
     EXPECT_GT(order, method.order - 0.15);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, StatedOrder,
-                         testing::Values("ab1", "ab2", "ab3", "ab4", "ab5", "abm2", "abm3", "abm4", "rk4"));
+                         testing::Values("ab1", "ab2", "ab3", "ab4", "ab5", "abm2", "abm3", "abm4", "abm5", "rk4"));
 
 TEST(Energy, AdaptiveMethodHoldsItsTolerance) {
     EXPECT_LT(run_thrown("dopri5", 5e-3, 1).worst_energy_error, 1e-3);

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include "hamilcar/block/equilibrium.hpp"
 #include "support/car.hpp"
 
 namespace hamilcar {

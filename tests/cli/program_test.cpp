@@ -231,8 +231,13 @@ INSTANTIATE_TEST_SUITE_P(
                 "[output]",
                 "[output]\nchannels = [\"chassis.positon.x\"]",
                 3,
-                {"chassis.positon.x", "chassis.position.x"}},
-        Mistake{"RackBeyondItsTravel", paper_file, "0.0, 0.0, 45.0", "0.0, 0.0, 945.0", 3, {"steering_wheel", "[m]"}}),
+                {"hill_hold.toml:18:12: ", "chassis.positon.x", "chassis.position.x"}},
+        Mistake{"RackBeyondItsTravel",
+                paper_file,
+                "0.0, 0.0, 45.0",
+                "0.0, 0.0, 945.0",
+                3,
+                {"paper.toml:19:", "steering_wheel", "[m]"}}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST_F(Program, SaysWhichFileItCannotRead) {

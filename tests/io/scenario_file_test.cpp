@@ -135,6 +135,17 @@ TEST(ScenarioFile, ABaseIsOverriddenKeyByKey) {
     EXPECT_THAT(scenario.output.channels, ElementsAre("time"));
 }
 
+TEST(PlaceOf, FindsAKeyHereInABaseOrItsNearestParent) {
+    const TemporaryFolder folder;
+    const std::string base = folder.write("base.toml", "name = 'x'\n[solver]\nstep_s = 1e-3\n");
+    const std::string derived = folder.write("derived.toml", "base = 'base.toml'\n\nroad.friction = 0.5\n");
+    EXPECT_EQ(place_of(derived, "road.friction"), derived + ":3:17");
+    EXPECT_EQ(place_of(derived, "solver.step_s"), base + ":3:10");
+    EXPECT_EQ(place_of(base, "solver.integrator"), base + ":2:1");
+    EXPECT_EQ(place_of(base, "output.channels"), base);
+    EXPECT_EQ(place_of(base, ""), base);
+}
+
 TEST(ShippedScenarios, AreReadAndNameAVehicleThatExists) {
     for (const auto& entry : std::filesystem::directory_iterator(repository_path("scenarios"))) {
         if (entry.path().extension() != ".toml") continue;

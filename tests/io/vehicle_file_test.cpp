@@ -153,6 +153,14 @@ TEST(VehicleFile, OtherWaysToSayTheSame) {
     EXPECT_EQ(car.gravity, 1.62);
 }
 
+TEST(VehicleFile, AStrutMayBeUnsteered) {
+    const TemporaryFolder folder;
+    const auto car = read_vehicle(folder.write("car.toml", changed(car_text(), "rack_axis = [0.0, 1.0, 0.0]",
+                                                                   "steered = false\nrack_axis = [0.0, 1.0, 0.0]")));
+    for (int i = 0; i < 2; ++i) EXPECT_FALSE(std::get<MacPhersonDescription>(car.corners[i].suspension).steered);
+    EXPECT_TRUE(std::get<MacPhersonDescription>(shipped_car().corners[0].suspension).steered);
+}
+
 TEST(VehicleFile, OptionalPartsMayBeLeftOut) {
     const TemporaryFolder folder;
     std::string text = car_text();

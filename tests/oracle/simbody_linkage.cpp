@@ -15,6 +15,7 @@ using SimTK::Vector;
 
 Linkage::Linkage(const CornerDescription& corner) : wheel_center(to_vec3(corner.wheel.center)) {
     const auto& strut = std::get<MacPhersonDescription>(corner.suspension);
+    if (!strut.steered) throw std::invalid_argument(corner.name + ": this engine moves every strut's rack end");
     top = to_vec3(strut.strut_top);
     slide = to_vec3(strut.slide_point);
     slide_axis = UnitVec3(top - slide);

@@ -159,6 +159,25 @@ TEST_P(Steer, FollowsTheRack) {
     EXPECT_NEAR(Corner(0).at(0, 1e-3 * GetParam().rack_mm).steer - straight, GetParam().steer, angle_tolerance);
 }
 
+// A strut whose tie rod ends on the chassis, as on a rear axle, does not hear the rack.
+TEST(UnsteeredStrut, IgnoresTheRack) {
+    VehicleDescription car = test::shipped_car();
+    std::get<MacPhersonDescription>(car.corners[0].suspension).steered = false;
+    const Model<double> model = test::make_model(car);
+    State<double> straight = design_state(model, Vec3<double>::Zero(), Mat3<double>::Identity());
+    ASSERT_TRUE(assemble(model, {}, straight).assembled);
+    State<double> turned = straight;
+    ASSERT_TRUE(assemble(model, {.displacement = 0.01}, turned).assembled);
+    const Input<double> moving{.rack = {0.01, 0.2, 3}};
+    const auto velocity = velocity_block(model, turned, moving);
+    const auto& left = std::get<SpokeVelocity<double, MacPherson<double>>>(velocity.spokes[0]);
+    const auto& right = std::get<SpokeVelocity<double, MacPherson<double>>>(velocity.spokes[1]);
+    EXPECT_EQ(left.position.x.norm(), 0);
+    EXPECT_GT(right.position.x.norm(), 0.1);
+    for (int j = 0; j < 3; ++j) EXPECT_NEAR(turned.spoke(0).dependent[j], straight.spoke(0).dependent[j], 1e-15);
+    EXPECT_GT(std::abs(turned.spoke(1).dependent[2] - straight.spoke(1).dependent[2]), 0.05);
+}
+
 INSTANTIATE_TEST_SUITE_P(Table23, Steer,
                          testing::Values(SteerRow{-73, -33.97}, SteerRow{-40, -18.66}, SteerRow{-20, -9.44},
                                          SteerRow{20, 9.90}, SteerRow{40, 20.55}, SteerRow{60, 32.46},

@@ -1,0 +1,18 @@
+// Static equilibrium on the road, part of the Initial Process: Newton's method on the full model at rest, with heave, roll,
+// pitch and every V as unknowns.
+#pragma once
+
+#include "hamilcar/block/momenta.hpp"
+
+namespace hamilcar {
+
+struct EquilibriumResult {
+    bool found = false;
+    double residual = 0;  // largest unbalanced force or moment [N, N m]
+};
+
+// Settles a state at rest: heave, roll, pitch and V such that no force is left; wheels that stand on a slope hold the
+// car by tire deflection and brake if the brakes can. Heading and ground position are kept.
+EquilibriumResult settle(const Model<double>& model, Input<double> input, State<double>& state);
+
+}  // namespace hamilcar
