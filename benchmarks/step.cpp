@@ -60,7 +60,6 @@ void right_hand_side(benchmark::State& run) {
     run.counters["mul"] = static_cast<double>(count.multiplications);
     run.counters["div"] = static_cast<double>(count.divisions);
     run.counters["sqrt"] = static_cast<double>(count.roots);
-    run.counters["sincos"] = static_cast<double>(count.sines_cosines);
     run.counters["GFLOP/s"] =
         benchmark::Counter(1e-9 * static_cast<double>(count.total()), benchmark::Counter::kIsIterationInvariantRate);
 }

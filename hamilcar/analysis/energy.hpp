@@ -32,7 +32,7 @@ Energy<T> energy(const Model<T>& model, const State<T>& state, const Velocity<T>
                            spoke.spring.potential(f.spring_length) + spoke.bump.potential(f.travel) +
                            spoke.rebound.potential(T(-f.travel)) +
                            std::visit([&](const auto& tire) { return tire.potential(f.frame.depth); }, spoke.tire);
-            e.drift += at.position.x.dot(Mv + at.spin_momentum);
+            e.drift += at.position.x.dot(Mv) + angular(at.position.x).dot(at.spin_momentum);
         });
     }
     for (const AntiRollBar<T>& bar : vehicle.anti_roll_bars) {

@@ -10,7 +10,7 @@ SpokeStructure describe(const S& suspension, const std::string& corner) {
     SpokeStructure out{.name = corner, .suspension = std::string(S::keyword)};
     std::apply([&](const auto&... joint) { (out.joints.emplace_back(joint.name), ...); }, suspension.linkage.joints);
     std::size_t cut = 0;
-    suspension.linkage.visit_cuts([&](const auto& joint, int) {
+    suspension.linkage.visit_cuts([&](const auto& joint, int, int) {
         out.cuts.push_back(std::string(suspension.cut_names[cut++]) + " (" + std::string(joint.name) + ")");
     });
     for (int i : Linkage::independent_indices())

@@ -13,7 +13,7 @@ LoopReport inspect_loops(const Model<double>& model, const RackMotion<double>& r
             const auto view = state.spoke(spoke);
             const auto at = suspension.linkage.position(view.independent, view.dependent, rack, 0.0);
             int cut = 0;
-            suspension.linkage.visit_cuts([&](const auto& joint, int) {
+            suspension.linkage.visit_cuts([&](const auto& joint, int, int) {
                 const double opening = joint.opening(at.pose.point(joint.tip), rack.displacement);
                 if (report.cut < 0 || !(opening <= report.opening)) report.cut = cut, report.opening = opening;
                 ++cut;

@@ -13,16 +13,22 @@ namespace hamilcar {
 // W from Phi(V, W, t) = 0 by warm-started Newton steps.
 template <class T>
 void close_loops(const Model<T>& model, const RackMotion<T>& rack, State<T>& state, int newton_steps) {
-    for (int i = 0; i < model.vehicle.spoke_count(); ++i) {
-        const SpokeState<T> spoke = state.spoke(i);
+    using S = Abreast<T>;
+    const RackMotion<S> rack_of_row = abreast<S>(rack);
+    model.vehicle.template for_each_row<S>([&](const auto& row, int) {
         std::visit(
             [&](const auto& suspension) {
-                for (int n = 0; n < newton_steps; ++n) {
-                    suspension.linkage.newton_step(spoke.independent, spoke.dependent, rack);
+                if constexpr (std::decay_t<decltype(suspension)>::Linkage::nW > 0) {
+                    RowState<S> numbers = gather_row<S>(state, row.index);
+                    const SpokeState<S> spoke = spoke_view(numbers.data());
+                    for (int n = 0; n < newton_steps; ++n) {
+                        suspension.linkage.newton_step(spoke.independent, spoke.dependent, rack_of_row);
+                    }
+                    scatter_row(numbers, row.index, row.count, state);
                 }
             },
-            model.vehicle.spokes[i].suspension);
-    }
+            row.spokes.suspension);
+    });
 }
 
 template <class T>

@@ -14,7 +14,8 @@ struct Model {
     PlaneRoad<T> road;
     ChassisChart chart = ChassisChart::quaternion;
     ConstraintMode constraints = ConstraintMode::exact;
-    T stabilization_gain{0};  // alpha of (27) [1/s]; zero in exact mode
+    T stabilization_gain{0};     // alpha of (27) [1/s]; zero in exact mode
+    bool energy_balance = true;  // integrate the work along, so that every run can check itself
 };
 
 // What the driver does at one instant.

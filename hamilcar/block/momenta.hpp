@@ -31,17 +31,24 @@ struct SpokeMomenta {
     std::array<T, max_independent> V_rate, momentum_rate;
     std::array<T, max_dependent> W_rate;
     T spin_momentum_rate, deflection_x_rate, deflection_y_rate, windup_rate;
-    SpokeForces<T> forces;
+    SpokeForces<T> forces;  // only where the account is full
     SpokeMomenta() {}
 };
 
-template <class T>
+// What the block writes down: what a step needs, or also every force and the power of the energy balance.
+enum class Account { lean, full };
+
+template <class T, class S = T>
 struct Momenta {
     Spatial<T> external;  // (F ; N_O) on the whole car, chassis axes
     T work_rate;          // [W]
-    std::array<SpokeMomenta<T>, max_spokes> spokes;
+    std::array<SpokeMomenta<S>, max_spokes> spokes;
     Momenta() {}
 };
+
+// What a spoke adds to the whole car: its wrench, and the rate of the work.
+template <class T>
+using SpokeShare = std::array<T, 6 + 1>;
 
 // What the Momenta block tells a spoke about the world around it.
 template <class T>
@@ -54,10 +61,11 @@ struct Surroundings {
 
 // The tire on its wheel: contact geometry, slip, force. Returns the wrench on the carrier with its wheel.
 template <class T>
-Spatial<T> tire_wrench(const Spoke<T>& spoke, const RoadPlane<T>& road, const Vec3<T>& center, const Vec3<T>& axis,
-                       const Spatial<T>& motion, const SpokeState<const T>& state, SpokeForces<T>& out) {
-    const T omega = state.spin_momentum / spoke.wheel.spin_inertia;
-    out.spin = omega - axis.dot(angular(motion));
+HAMILCAR_CORE Spatial<T> tire_wrench(const Spoke<T>& spoke, const RoadPlane<T>& road, const Vec3<T>& center,
+                                     const Vec3<T>& axis, const Spatial<T>& motion, const SpokeState<const T>& state,
+                                     SpokeForces<T>& out) {
+    const T omega = state.spin_momentum * spoke.wheel.inverse_spin_inertia, turning = axis.dot(angular(motion));
+    out.spin = omega - turning;
     return std::visit(
         [&](const auto& tire) -> Spatial<T> {
             const auto f = contact_frame<T>(road, center, axis, tire.radius);
@@ -65,8 +73,8 @@ Spatial<T> tire_wrench(const Spoke<T>& spoke, const RoadPlane<T>& road, const Ve
             const T v_x = f.longitudinal.dot(v);
             out.frame = f;
             out.contact = {.depth = f.depth,
-                           .depth_rate = -f.normal.dot(velocity_at<T>(motion, f.lowest)),
-                           .v_sx = v_x + f.lever * axis.dot(angular(motion)) - tire.rolling_radius * omega,
+                           .depth_rate = -f.normal.dot(v),  // the lowest point's own, straight below P
+                           .v_sx = v_x + f.lever * turning - tire.rolling_radius * omega,
                            .v_sy = f.lateral.dot(v),
                            .v_x = v_x,
                            .omega = omega,
@@ -85,10 +93,9 @@ Spatial<T> tire_wrench(const Spoke<T>& spoke, const RoadPlane<T>& road, const Ve
 
 // Spin equation of the wheel: p_s' = torque of the tire about the axis + drive + brake.
 template <class T>
-void wheel_momenta(const Spoke<T>& spoke, const SpokeState<const T>& state, const Input<T>& input,
-                   SpokeMomenta<T>& out) {
-    SpokeForces<T>& f = out.forces;
-    const auto brake = spoke.brake.evaluate(input.brake, f.spin, state.brake_windup);
+HAMILCAR_CORE void wheel_momenta(const Spoke<T>& spoke, const SpokeState<const T>& state, const T& brake_command,
+                                 SpokeForces<T>& f, SpokeMomenta<T>& out) {
+    const auto brake = spoke.brake.evaluate(brake_command, f.spin, state.brake_windup);
     f.brake_torque = brake.torque;
     out.windup_rate = brake.windup_rate;
     out.deflection_x_rate = f.tire.u_rate;
@@ -98,33 +105,56 @@ void wheel_momenta(const Spoke<T>& spoke, const SpokeState<const T>& state, cons
 
 // Power that is not in the potential, without the drift terms.
 template <class T>
-T lost_power(const SpokeForces<T>& f, const Vec3<T>& axis, const Spatial<T>& motion, const Spatial<T>& hub) {
+HAMILCAR_CORE T lost_power(const SpokeForces<T>& f, const Vec3<T>& axis, const Spatial<T>& motion,
+                           const Spatial<T>& hub) {
     const T tire = f.tire.Fx * f.contact.v_sx + f.tire.Fy * f.contact.v_sy -
                    (f.tire.Fz - f.tire.elastic) * f.contact.depth_rate + f.tire.rolling_moment * f.contact.omega;
     const T shaft = f.drive_torque * (f.spin + axis.dot(angular(motion) - angular(hub)));
     return tire + shaft + f.brake_torque * f.spin + f.damper * f.damper_rate;
 }
 
-template <class T, class S>
-void spoke_momenta(const Spoke<T>& spoke, const S& suspension, const SpokeVelocity<T, S>& at,
-                   const SpokeState<const T>& state, const Input<T>& input, const Surroundings<T>& world,
-                   SpokeMomenta<T>& out, Momenta<T>& car) {
-    constexpr int nV = S::Linkage::nV, nW = S::Linkage::nW;
-    Vector<T, nW> W_rate;
-    const auto rates = suspension.linkage.rates(at.position, at.V_rate, W_rate, input.rack, world.gain);
-    const Spatial<T> h = at.inertia * at.motion + at.spin_momentum;
+template <class T, class Kind>
+HAMILCAR_CORE T wheel_travel(const Spoke<T>& spoke, const SpokeVelocity<T, Kind>& at) {
+    return at.wheel_center[2] - spoke.wheel.center[2];
+}
 
-    SpokeForces<T>& f = out.forces;
+// How the wheel's travel, along chassis z, follows the independent coordinates.
+template <class T, class Position>
+HAMILCAR_CORE auto travel_line(const T& travel, const Vec3<T>& center, const Position& at) {
+    constexpr int nV = std::decay_t<decltype(at.J)>::ColsAtCompileTime;
+    const auto rise = [&](const auto& motion) -> T {
+        return motion[2] + (motion[3] * center[1] - motion[4] * center[0]);
+    };
+    Line<T, nV> line;
+    line.length = travel;
+    for (int j = 0; j < nV; ++j) line.gradient[j] = rise(at.J.col(j));
+    line.drift = Position::drifts ? rise(at.x) : T(0);
+    return line;
+}
+
+// Rates of one spoke's numbers, the anti-roll bars pulling with `bar`.
+template <Account account, class T, class Kind>
+HAMILCAR_CORE SpokeShare<T> spoke_momenta(const Spoke<T>& spoke, const Kind& suspension,
+                                          const SpokeVelocity<T, Kind>& at, const SpokeState<const T>& state,
+                                          const Input<T>& input, const Surroundings<T>& world, const T& bar,
+                                          SpokeMomenta<T>& out) {
+    constexpr int nV = Kind::Linkage::nV, nW = Kind::Linkage::nW;
+    const auto rates = suspension.linkage.rates(at.position, at.V_rate, input.rack);
+    Spatial<T> h = at.inertia * at.motion;
+    angular(h) += at.spin_momentum;
+
+    SpokeForces<T> f;
+    f.bar = bar;
+    f.travel = wheel_travel(spoke, at);
     f.drive_torque = spoke.drive_share * input.drive_torque;
     const Spatial<T> weight = spatial<T>(world.gravity * at.inertia.mass, at.inertia.moment.cross(world.gravity));
     const Spatial<T> external =
         weight + tire_wrench<T>(spoke, world.road, at.wheel_center, at.spin_axis, at.motion, state, f);
-    wheel_momenta(spoke, state, input, out);
+    wheel_momenta(spoke, state, input.brake, f, out);
 
     const auto spring = suspension.spring_line(at.position, state.independent);
     const auto damper = suspension.damper_line(at.position, state.independent);
-    const auto travel =
-        line_through<T>(f.travel, at.wheel_center, Vec3<T>(T(0), T(0), T(1)), at.position.J, at.position.x);
+    const auto travel = travel_line<T>(f.travel, at.wheel_center, at.position);
     f.spring_length = spring.length;
     f.damper_rate = damper.rate(at.V_rate);
     f.spring = spoke.spring.force(spring.length);
@@ -138,61 +168,97 @@ void spoke_momenta(const Spoke<T>& spoke, const S& suspension, const SpokeVeloci
                                f.spring * spring.gradient + f.damper * damper.gradient +
                                (f.stop + f.bar) * travel.gradient;
     for (int i = 0; i < nV; ++i) out.momentum_rate[i] = rate[i], out.V_rate[i] = at.V_rate[i];
-    for (int i = 0; i < nW; ++i) out.W_rate[i] = W_rate[i];
+    for (int i = 0; i < nW; ++i) out.W_rate[i] = rates.W[i];
 
-    car.external += external;
-    car.work_rate += lost_power(f, at.spin_axis, at.motion, world.hub);
-    if constexpr (nW > 0) {
-        car.work_rate -= at.position.x.dot(carried) + rates.x.dot(h) + f.spring * spring.drift +
+    SpokeShare<T> share;
+    for (int k = 0; k < 6; ++k) share[static_cast<std::size_t>(k)] = external[k];
+    T& work_rate = share.back();
+    work_rate = T(0);
+    if constexpr (account == Account::full) {
+        out.forces = f;
+        work_rate = lost_power(f, at.spin_axis, at.motion, world.hub);
+        if constexpr (Kind::Linkage::Position::drifts) {
+            const auto x_rate = suspension.linkage.drift_rate(at.position, rates, input.rack, world.gain);
+            work_rate -= at.position.x.dot(carried) + x_rate.dot(h) + f.spring * spring.drift +
                          f.damper * damper.drift + (f.stop + f.bar) * travel.drift;
+        }
     }
+    return share;
 }
 
-// Wheel travels first: the bars couple them before any spoke is finished.
-template <class T>
-void anti_roll_forces(const Vehicle<T>& vehicle, const Velocity<T>& velocity, Momenta<T>& out) {
-    for (int i = 0; i < vehicle.spoke_count(); ++i) {
-        visit_spoke(vehicle, velocity, i, [&](const Spoke<T>& spoke, const auto&, const auto& at) {
-            out.spokes[i].forces.travel = at.wheel_center[2] - spoke.wheel.center[2];
-            out.spokes[i].forces.bar = T(0);
+// Forces of the bars on the spokes along their wheels' travel: they couple spokes before any of them is finished.
+template <class T, class S>
+HAMILCAR_CORE std::array<T, max_spokes> anti_roll_forces(const Vehicle<T>& vehicle, const Velocity<T, S>& velocity) {
+    std::array<T, max_spokes> travel, force;
+    vehicle.template for_each_row<S>([&](const auto& row, int i) {
+        visit_spoke(row.spokes, velocity, i, [&](const Spoke<S>& spoke, const auto&, const auto& at) {
+            const S own = wheel_travel(spoke, at);
+            for (std::size_t l = 0; l < static_cast<std::size_t>(row.count); ++l) {
+                travel[static_cast<std::size_t>(row.index[l])] = at_place<T>(own, static_cast<int>(l));
+                force[static_cast<std::size_t>(row.index[l])] = T(0);
+            }
         });
-    }
+    });
     for (const AntiRollBar<T>& bar : vehicle.anti_roll_bars) {
-        SpokeForces<T>&left = out.spokes[bar.left].forces, &right = out.spokes[bar.right].forces;
-        const T force = bar.rate * (left.travel - right.travel);
-        left.bar -= force;
-        right.bar += force;
+        const T pull = bar.rate * (travel[bar.left] - travel[bar.right]);
+        force[bar.left] -= pull;
+        force[bar.right] += pull;
     }
+    return force;
 }
 
 // What the ground, the air and gravity do to the chassis itself.
 template <class T>
-void chassis_momenta(const Vehicle<T>& vehicle, const Surroundings<T>& world, Momenta<T>& out) {
+HAMILCAR_CORE void chassis_momenta(const Vehicle<T>& vehicle, const Surroundings<T>& world, Spatial<T>& external,
+                                   T& work_rate) {
     const Vec3<T> v = velocity_at<T>(world.hub, vehicle.aerodynamics.center);
     const Vec3<T> drag = v * (-vehicle.aerodynamics.half_density_area * sqrt(v.squaredNorm()));
     const auto hull = vehicle.hull.contact(world.road, world.hub);
-    out.external =
-        force_at<T>(vehicle.aerodynamics.center, drag) + hull.wrench +
-        spatial<T>(world.gravity * vehicle.chassis.mass, vehicle.chassis_inertia.moment.cross(world.gravity));
-    out.work_rate = drag.dot(v) + hull.lost_power;
+    external = force_at<T>(vehicle.aerodynamics.center, drag) + hull.wrench +
+               spatial<T>(world.gravity * vehicle.chassis.mass, vehicle.chassis_inertia.moment.cross(world.gravity));
+    work_rate = drag.dot(v) + hull.lost_power;
 }
 
-template <class T>
-Momenta<T> momenta_block(const Model<T>& model, const State<T>& state, const Input<T>& input,
-                         const Velocity<T>& velocity) {
-    Momenta<T> out;
+template <class S, class T>
+HAMILCAR_CORE Surroundings<S> abreast(const Surroundings<T>& world) {
+    return {{abreast<S>(world.road.normal), S(world.road.offset), S(world.road.friction)},
+            abreast<S>(world.gravity),
+            abreast<S>(world.hub),
+            S(world.gain)};
+}
+
+template <Account account, class S, class T>
+HAMILCAR_CORE Momenta<T, S> momenta_block_of(const Model<T>& model, const State<T>& state, const Input<T>& input,
+                                             const Velocity<T, S>& velocity) {
+    Momenta<T, S> out;
     const Vehicle<T>& vehicle = model.vehicle;
     const Surroundings<T> world{model.road.seen_from(state.position(), velocity.R_GC),
                                 velocity.R_GC.row(2).transpose() * (-vehicle.gravity), velocity.hub,
                                 model.stabilization_gain};
-    chassis_momenta(vehicle, world, out);
-    anti_roll_forces(vehicle, velocity, out);
-    for (int i = 0; i < vehicle.spoke_count(); ++i) {
-        visit_spoke(vehicle, velocity, i, [&](const Spoke<T>& spoke, const auto& suspension, const auto& at) {
-            spoke_momenta(spoke, suspension, at, state.spoke(i), input, world, out.spokes[i], out);
+    chassis_momenta(vehicle, world, out.external, out.work_rate);
+    const std::array<T, max_spokes> bars = anti_roll_forces(vehicle, velocity);
+    const Surroundings<S> around = abreast<S>(world);
+    const Input<S> inputs{abreast<S>(input.rack), S(input.drive_torque), S(input.brake)};
+    PlaceSum<T, S, std::tuple_size_v<SpokeShare<S>>> sum;
+    vehicle.template for_each_row<S>([&](const auto& row, int i) {
+        const RowState<S> numbers = gather_row<S>(state, row.index);
+        visit_spoke(row.spokes, velocity, i, [&](const Spoke<S>& spoke, const auto& suspension, const auto& at) {
+            sum.add(spoke_momenta<account>(spoke, suspension, at, spoke_view(numbers.data()), inputs, around,
+                                           from_places<S>(bars, row.index), out.spokes[i]),
+                    row);
         });
-    }
+    });
+    const SpokeShare<T> spokes = sum.total();
+    for (int k = 0; k < 6; ++k) out.external[k] += spokes[static_cast<std::size_t>(k)];
+    out.work_rate += spokes.back();
     return out;
+}
+
+// Spoke after spoke with everything that channels and the energy balance read.
+template <class T>
+Momenta<T> momenta_block(const Model<T>& model, const State<T>& state, const Input<T>& input,
+                         const Velocity<T>& velocity) {
+    return momenta_block_of<Account::full>(model, state, input, velocity);
 }
 
 }  // namespace hamilcar

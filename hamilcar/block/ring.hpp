@@ -5,10 +5,28 @@
 
 namespace hamilcar {
 
+// The rates of the numbers of the spokes in a row, in the order of the state.
+template <class Linkage, class S>
+HAMILCAR_CORE RowState<S> row_rate(const SpokeMomenta<S>& from) {
+    RowState<S> numbers;
+    numbers.fill(S(0));
+    const SpokeState<S> to = spoke_view(numbers.data());
+    for (int j = 0; j < Linkage::nV; ++j) {
+        to.independent[j] = from.V_rate[j];
+        to.momentum[j] = from.momentum_rate[j];
+    }
+    for (int j = 0; j < Linkage::nW; ++j) to.dependent[j] = from.W_rate[j];
+    to.spin_momentum = from.spin_momentum_rate;
+    to.deflection_x = from.deflection_x_rate;
+    to.deflection_y = from.deflection_y_rate;
+    to.brake_windup = from.windup_rate;
+    return numbers;
+}
+
 // The rate of every number of the state, from the two blocks' outputs.
-template <class T>
-void rate_of_state(const Model<T>& model, const State<T>& state, const Velocity<T>& velocity, const Momenta<T>& momenta,
-                   State<T>& rate) {
+template <class T, class S>
+HAMILCAR_CORE void rate_of_state(const Model<T>& model, const State<T>& state, const Velocity<T, S>& velocity,
+                                 const Momenta<T, S>& momenta, State<T>& rate) {
     const Mat3<T>& R = velocity.R_GC;
     const Vec3<T> p = R * linear(velocity.momentum), r_rate = R * linear(velocity.hub);
     const Vec3<T> F = R * linear(momenta.external), N = R * angular(momenta.external);
@@ -22,31 +40,31 @@ void rate_of_state(const Model<T>& model, const State<T>& state, const Velocity<
     });
     rate.position() = r_rate;
     rate.work() = momenta.work_rate;
-    for (int i = 0; i < model.vehicle.spoke_count(); ++i) {
-        const SpokeMomenta<T>& from = momenta.spokes[i];
-        SpokeState<T> to = rate.spoke(i);
-        visit_spoke(model.vehicle, velocity, i, [&](const auto&, const auto& suspension, const auto&) {
+    model.vehicle.template for_each_row<S>([&](const auto& row, int i) {
+        visit_spoke(row.spokes, velocity, i, [&](const auto&, const auto& suspension, const auto&) {
             using Linkage = typename std::decay_t<decltype(suspension)>::Linkage;
-            for (int j = 0; j < Linkage::nV; ++j) {
-                to.independent[j] = from.V_rate[j];
-                to.momentum[j] = from.momentum_rate[j];
-            }
-            for (int j = 0; j < Linkage::nW; ++j) to.dependent[j] = from.W_rate[j];
+            scatter_row(row_rate<Linkage>(momenta.spokes[i]), row.index, row.count, rate);
         });
-        to.spin_momentum = from.spin_momentum_rate;
-        to.deflection_x = from.deflection_x_rate;
-        to.deflection_y = from.deflection_y_rate;
-        to.brake_windup = from.windup_rate;
-    }
+    });
 }
 
-// The right-hand side: one turn of the ring without Integration.
+// One turn of the ring without Integration; a lean account leaves the work of the energy balance alone.
+template <Account account, class T>
+[[gnu::flatten]] Health<T> turn_ring(const Model<T>& model, const Input<T>& input, const State<T>& state,
+                                     State<T>& rate) {
+    using S = Abreast<T>;
+    const Velocity<T, S> velocity = velocity_block_of<S>(model, state, input);
+    const Momenta<T, S> momenta = momenta_block_of<account>(model, state, input, velocity);
+    rate_of_state(model, state, velocity, momenta, rate);
+    if constexpr (account == Account::lean) rate.work() = T(0);
+    return velocity.health;
+}
+
+// The right-hand side.
 template <class T>
 Health<T> evaluate(const Model<T>& model, const Input<T>& input, const State<T>& state, State<T>& rate) {
-    const Velocity<T> velocity = velocity_block(model, state, input);
-    const Momenta<T> momenta = momenta_block(model, state, input, velocity);
-    rate_of_state(model, state, velocity, momenta, rate);
-    return velocity.health;
+    return model.energy_balance ? turn_ring<Account::full>(model, input, state, rate)
+                                : turn_ring<Account::lean>(model, input, state, rate);
 }
 
 }  // namespace hamilcar

@@ -9,18 +9,20 @@
 #pragma once
 
 #include "hamilcar/block/model.hpp"
+#include "hamilcar/block/static_vector.hpp"
+#include "hamilcar/vehicle/place_sum.hpp"
 
 namespace hamilcar {
 
-template <class T, class S>
+template <class T, class Kind>
 struct SpokeVelocity {
-    using Linkage = typename S::Linkage;
+    using Linkage = typename Kind::Linkage;
     static constexpr int nV = Linkage::nV;
     typename Linkage::Position position;
     SpatialInertia<T> inertia;  // Mhat of the carrier
     Vec3<T> wheel_center;       // [m]
     Vec3<T> spin_axis;          // e
-    Spatial<T> spin_momentum;   // (0 ; e p_s)
+    Vec3<T> spin_momentum;      // e p_s
     Matrix<T, 6, nV> MJ;        // Mhat J
     Matrix<T, nV, nV> m_inverse;
     Vector<T, nV> k;
@@ -53,59 +55,108 @@ struct Health {
     }
 };
 
-template <class T>
+// S is the number that carries the spokes: T itself for one spoke after the other, Abreast<T> for a row at a time.
+template <class T, class S = T>
 struct Velocity {
     Health<T> health;
     Mat3<T> R_GC;         // chassis to ground axes
     Spatial<T> momentum;  // (p ; L) in chassis axes
     Spatial<T> hub;       // v_1
-    std::array<AnySpokeVelocity<T>, max_spokes> spokes;
+    StaticVector<AnySpokeVelocity<S>, max_spokes> spokes;
     Velocity() {}
 };
 
-// Calls f(spoke, suspension, its velocities) with the types resolved, once for the spoke.
-template <class T, class VelocityRef, class F>
-decltype(auto) visit_spoke(const Vehicle<T>& vehicle, VelocityRef& velocity, int i, F&& f) {
-    const Spoke<T>& spoke = vehicle.spokes[i];
+// Calls f(spoke, suspension, its velocities) with the types resolved, once for the spoke or the spokes abreast.
+template <class S, class VelocityRef, class F>
+HAMILCAR_CORE decltype(auto) visit_spoke(const Spoke<S>& spoke, VelocityRef& velocity, int i, F&& f) {
     return std::visit(
         [&](const auto& suspension) -> decltype(auto) {
-            using S = std::decay_t<decltype(suspension)>;
-            return f(spoke, suspension, *std::get_if<SpokeVelocity<T, S>>(&velocity.spokes[i]));
+            using Kind = std::decay_t<decltype(suspension)>;
+            return f(spoke, suspension, *std::get_if<SpokeVelocity<S, Kind>>(&velocity.spokes[i]));
         },
         spoke.suspension);
 }
+template <class T, class VelocityRef, class F>
+decltype(auto) visit_spoke(const Vehicle<T>& vehicle, VelocityRef& velocity, int i, F&& f) {
+    return visit_spoke(vehicle.spokes[i], velocity, i, f);
+}
 
-// Positions, inertia and condensed momentum of one spoke; adds its share to the hub's 6x6 system.
-template <class T, class S>
-void condense_spoke(const Spoke<T>& spoke, const S& suspension, const SpokeState<const T>& state,
-                    const RackMotion<T>& rack, const T& gain, SpokeVelocity<T, S>& out, Matrix<T, 6, 6>& K,
-                    Spatial<T>& rest) {
-    constexpr int nV = S::Linkage::nV;
-    out.position = suspension.linkage.position(state.independent, state.dependent, rack, gain);
+// What a spoke leaves of the hub's 6x6 system: the lower triangle of an inertia, column by column, and a momentum.
+template <class S>
+using CondensedSpoke = std::array<S, 21 + 6>;
+
+// Positions, inertia and condensed momentum of one spoke.
+template <class S, class Kind>
+HAMILCAR_CORE CondensedSpoke<S> condense_spoke(const Spoke<S>& spoke, const Kind& suspension,
+                                               const SpokeState<const S>& state, const RackMotion<S>& rack,
+                                               const S& gain, SpokeVelocity<S, Kind>& out) {
+    constexpr int nV = Kind::Linkage::nV;
+    suspension.linkage.find_position(state.independent, state.dependent, rack, gain, out.position);
     const auto& at = out.position;
-    out.inertia = SpatialInertia<T>::about_origin(spoke.carrier.mass, at.pose.point(spoke.carrier.center),
+    out.inertia = SpatialInertia<S>::about_origin(spoke.carrier.mass, at.pose.point(spoke.carrier.center),
                                                   spoke.carrier.inertia.rotated(at.pose.R));
     out.wheel_center = at.pose.point(spoke.wheel.center);
     out.spin_axis = at.pose.direction(spoke.wheel.axis);
-    out.spin_momentum = spatial<T>(Vec3<T>::Zero(), out.spin_axis * state.spin_momentum);
-    for (int j = 0; j < nV; ++j) out.MJ.col(j) = out.inertia * Spatial<T>(at.J.col(j));
-    out.m_inverse = inverse<T>(Matrix<T, nV, nV>(at.J.transpose() * out.MJ)).matrix;  // (59), A.5
+    out.spin_momentum = out.spin_axis * state.spin_momentum;
+    for (int j = 0; j < nV; ++j) out.MJ.col(j) = out.inertia * Spatial<S>(at.J.col(j));
+    out.m_inverse = inverse<S>(Matrix<S, nV, nV>(at.J.transpose() * out.MJ)).matrix;  // (59), A.5
 
-    Spatial<T> carried = out.spin_momentum;
-    if constexpr (S::Linkage::nW > 0) carried += out.inertia * at.x;
-    out.k = Eigen::Map<const Vector<T, nV>>(state.momentum) - at.J.transpose() * carried;  // (57)
-
-    const Matrix<T, 6, nV> condensed = out.MJ * out.m_inverse;
-    out.inertia.add_to_lower(K);
-    for (int j = 0; j < 6; ++j) {
-        for (int i = j; i < 6; ++i) K(i, j) -= condensed.row(i).dot(out.MJ.row(j));
+    Spatial<S> carried = spatial<S>(Vec3<S>::Zero(), out.spin_momentum);
+    if constexpr (Kind::Linkage::Position::drifts) {
+        carried = out.inertia * at.x;
+        angular(carried) += out.spin_momentum;
     }
-    rest -= carried + condensed * out.k;
+    for (int j = 0; j < nV; ++j) out.k[j] = state.momentum[j] - at.J.col(j).dot(carried);  // (57)
+
+    const Matrix<S, 6, nV> condensed = out.MJ * out.m_inverse;
+    Matrix<S, 6, 6> K;
+    for (int j = 0; j < 6; ++j) {
+        for (int i = j; i < 6; ++i) K(i, j) = -condensed.row(i).dot(out.MJ.row(j));
+    }
+    out.inertia.add_to_lower(K);
+    CondensedSpoke<S> share;
+    std::size_t next = 0;
+    for (int j = 0; j < 6; ++j) {
+        for (int i = j; i < 6; ++i) share[next++] = K(i, j);
+    }
+    for (int j = 0; j < 6; ++j) share[next++] = carried[j] + condensed.row(j).dot(out.k);
+    return share;
 }
 
+// Largest |Phi| and smallest mobility of the spokes in a row.
+template <class T, class S, class Kind>
+HAMILCAR_CORE Health<T> inspect_spoke(const Spoke<S>& spoke, const SpokeVelocity<S, Kind>& at, int count) {
+    S violation(0);
+    for (int j = 0; j < Kind::Linkage::nW; ++j) violation = max(violation, abs(at.position.Phi[j]));
+    const S mobility = at.position.determinant * spoke.inverse_design_determinant;
+    Health<T> health;
+    for (int i = 0; i < count; ++i) health.include({at_place<T>(violation, i), at_place<T>(mobility, i)});
+    return health;
+}
+
+template <class S, class T>
+HAMILCAR_CORE RackMotion<S> abreast(const RackMotion<T>& rack) {
+    return {S(rack.displacement), S(rack.rate), S(rack.acceleration)};
+}
+
+// The 6x6 system of the hub with all spokes condensed.  // (58)
 template <class T>
-Velocity<T> velocity_block(const Model<T>& model, const State<T>& state, const Input<T>& input) {
-    Velocity<T> out;
+HAMILCAR_CORE Spatial<T> solve_hub(const SpatialInertia<T>& chassis, const Spatial<T>& momentum,
+                                   const CondensedSpoke<T>& spokes) {
+    Matrix<T, 6, 6> K;
+    std::size_t next = 0;
+    for (int j = 0; j < 6; ++j) {
+        for (int i = j; i < 6; ++i) K(i, j) = spokes[next++];
+    }
+    chassis.add_to_lower(K);
+    Spatial<T> rest;
+    for (int j = 0; j < 6; ++j) rest[j] = momentum[j] - spokes[next++];
+    return solve_positive_definite<T, 6>(K, rest);
+}
+
+template <class S, class T>
+HAMILCAR_CORE Velocity<T, S> velocity_block_of(const Model<T>& model, const State<T>& state, const Input<T>& input) {
+    Velocity<T, S> out;
     const Vehicle<T>& vehicle = model.vehicle;
     with_chart(model, [&](auto chart) {
         const Vector<T, 4> orientation = state.orientation();
@@ -113,32 +164,38 @@ Velocity<T> velocity_block(const Model<T>& model, const State<T>& state, const I
         const Spatial<T> momentum = chart.momentum(orientation, state.momentum());
         out.momentum = spatial<T>(out.R_GC.transpose() * linear(momentum), out.R_GC.transpose() * angular(momentum));
     });
-    Matrix<T, 6, 6> K = Matrix<T, 6, 6>::Zero();
-    vehicle.chassis_inertia.add_to_lower(K);
-    Spatial<T> rest = out.momentum;
-    for (int i = 0; i < vehicle.spoke_count(); ++i) {
+    PlaceSum<T, S, std::tuple_size_v<CondensedSpoke<S>>> condensed;
+    const RackMotion<S> rack = abreast<S>(input.rack);
+    vehicle.template for_each_row<S>([&](const auto& row, int i) {
+        const RowState<S> numbers = gather_row<S>(state, row.index);
         std::visit(
             [&](const auto& suspension) {
-                using S = std::decay_t<decltype(suspension)>;
-                auto& spoke = out.spokes[i].template emplace<SpokeVelocity<T, S>>();
-                condense_spoke(vehicle.spokes[i], suspension, state.spoke(i), input.rack, model.stabilization_gain,
-                               spoke, K, rest);
-                for (int j = 0; j < S::Linkage::nW; ++j) {
-                    out.health.violation = max(out.health.violation, abs(spoke.position.Phi[j]));
-                }
-                out.health.mobility =
-                    min(out.health.mobility, spoke.position.determinant * vehicle.spokes[i].inverse_design_determinant);
+                using Kind = std::decay_t<decltype(suspension)>;
+                auto& spoke = std::get<SpokeVelocity<S, Kind>>(
+                    out.spokes.emplace_back(std::in_place_type<SpokeVelocity<S, Kind>>));
+                condensed.add(condense_spoke<S>(row.spokes, suspension, spoke_view(numbers.data()), rack,
+                                                S(model.stabilization_gain), spoke),
+                              row);
+                out.health.include(inspect_spoke<T>(row.spokes, spoke, row.count));
             },
-            vehicle.spokes[i].suspension);
-    }
-    out.hub = solve_positive_definite<T, 6>(K, rest);  // (58)
-    for (int i = 0; i < vehicle.spoke_count(); ++i) {
-        visit_spoke(vehicle, out, i, [&](const auto&, const auto&, auto& spoke) {
-            spoke.V_rate = spoke.m_inverse * (spoke.k - spoke.MJ.transpose() * out.hub);  // (58)
-            spoke.motion = out.hub + spoke.position.J * spoke.V_rate + spoke.position.x;  // (18), (42)
+            row.spokes.suspension);
+    });
+    out.hub = solve_hub(vehicle.chassis_inertia, out.momentum, condensed.total());
+    const Spatial<S> hub = abreast<S>(out.hub);
+    vehicle.template for_each_row<S>([&](const auto& row, int i) {
+        visit_spoke(row.spokes, out, i, [&](const auto&, const auto&, auto& spoke) {
+            spoke.V_rate = spoke.m_inverse * (spoke.k - spoke.MJ.transpose() * hub);  // (58)
+            spoke.motion = hub + spoke.position.J * spoke.V_rate;                     // (18), (42)
+            if constexpr (std::decay_t<decltype(spoke.position)>::drifts) spoke.motion += spoke.position.x;
         });
-    }
+    });
     return out;
+}
+
+// Spoke after spoke, for whoever looks at them.
+template <class T>
+Velocity<T> velocity_block(const Model<T>& model, const State<T>& state, const Input<T>& input) {
+    return velocity_block_of<T>(model, state, input);
 }
 
 }  // namespace hamilcar

@@ -2,6 +2,8 @@
 // (docs/models/forces.md, "Wheel spin, drive and brake").
 #pragma once
 
+#include <tuple>
+
 #include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/scalar/scalar.hpp"
 
@@ -13,7 +15,11 @@ struct Brake {
     static constexpr double unwinding_rate = 300;  // largest, toward zero, per wind-up [1/s]
     T max_torque, stiffness, damping;
     T compliance;  // 1 / stiffness; zero where there is no brake
+    static constexpr auto members() {
+        return std::tuple(&Brake::max_torque, &Brake::stiffness, &Brake::damping, &Brake::compliance);
+    }
 
+    Brake() = default;
     explicit Brake(const BrakeDescription& d)
         : max_torque(d.max_torque),
           stiffness(d.windup_stiffness),

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <stdexcept>
+#include <tuple>
 
 #include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/scalar/scalar.hpp"
@@ -13,6 +14,9 @@ namespace hamilcar {
 template <class T>
 struct Spring {
     T rate, force_at_design, design_length;
+    static constexpr auto members() {
+        return std::tuple(&Spring::rate, &Spring::force_at_design, &Spring::design_length);
+    }
 
     T force(const T& length) const { return force_at_design + rate * (design_length - length); }
     // Energy relative to the design length [J].
@@ -30,7 +34,11 @@ struct Damper {
     T first{0}, last{0};               // outer velocities [m/s]
     T force_at_first{0};               // [N]
     int segments = 0;
-    std::array<T, max_segments> start, end, slope;
+    std::array<T, max_segments> start{}, end{}, slope{};
+    static constexpr auto members() {
+        return std::tuple(&Damper::slope_below, &Damper::slope_above, &Damper::first, &Damper::last,
+                          &Damper::force_at_first, &Damper::segments, &Damper::start, &Damper::end, &Damper::slope);
+    }
 
     Damper() = default;
     // No points: no damper. Throws std::length_error for more than eight segments.
@@ -60,6 +68,7 @@ struct Damper {
 template <class T>
 struct Stop {
     T gap, rate, progression;
+    static constexpr auto members() { return std::tuple(&Stop::gap, &Stop::rate, &Stop::progression); }
 
     T force(const T& travel) const {
         const T x = max(travel - gap, T(0));

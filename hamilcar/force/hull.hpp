@@ -2,6 +2,7 @@
 // each. Hunt and Crossley's damping grows with the depth, so a touch begins without a jump.
 #pragma once
 
+#include <tuple>
 #include <vector>
 
 #include "hamilcar/description/vehicle.hpp"
@@ -14,15 +15,34 @@ template <class T>
 struct Hull {
     static constexpr double sliding_speed = 0.1;  // below it friction fades like a viscous force [m/s]
     std::vector<Vec3<T>> points;                  // chassis axes [m]
+    Vec3<T> center, half;                         // of the box around them [m]
     T stiffness, damping, friction;
+    static constexpr auto members() {
+        return std::tuple(&Hull::points, &Hull::center, &Hull::half, &Hull::stiffness, &Hull::damping, &Hull::friction);
+    }
 
     Hull() = default;
     explicit Hull(const HullDescription& d) : stiffness(d.stiffness), damping(d.damping), friction(d.friction) {
-        for (const Point& point : d.points) points.push_back(as<T>(vec3(point)));
+        Vec3<double> low = Vec3<double>::Zero(), high = Vec3<double>::Zero();
+        for (const Point& point : d.points) {
+            const Vec3<double> p = vec3(point);
+            low = points.empty() ? p : Vec3<double>(low.cwiseMin(p));
+            high = points.empty() ? p : Vec3<double>(high.cwiseMax(p));
+            points.push_back(as<T>(p));
+        }
+        center = as<T>(Vec3<double>(0.5 * (high + low)));
+        half = as<T>(Vec3<double>(0.5 * (high - low)));
     }
 
     static T depth(const RoadPlane<T>& road, const Vec3<T>& point) {
         return max(road.offset - road.normal.dot(point), T(0));
+    }
+
+    // Whether the box around the points does: all that an upright car pays for.
+    auto reaches(const RoadPlane<T>& road) const {
+        const Vec3<T>& n = road.normal;
+        const T reach = abs(n[0]) * half[0] + abs(n[1]) * half[1] + abs(n[2]) * half[2];
+        return n.dot(center) - reach < road.offset;
     }
 
     struct Contact {
@@ -33,6 +53,7 @@ struct Hull {
     // All points together, for the chassis moving with v_1.
     Contact contact(const RoadPlane<T>& road, const Spatial<T>& hub) const {
         Contact sum{Spatial<T>::Zero(), T(0)};
+        if (!any(reaches(road))) return sum;
         for (const Vec3<T>& point : points) {
             const T pressed = depth(road, point);
             if (!any(pressed > T(0))) continue;

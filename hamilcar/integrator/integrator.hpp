@@ -61,15 +61,28 @@ private:
 
     // to = from + h sum_j row[j + skip] f_{n-j}
     void add_past(const AdamsRow& row, int skip, const State& from, State& to) {
-        std::array<const T*, max_adams_order> rate{};
-        std::array<T, max_adams_order> weight{};
-        const int count = method_.order - skip;
+        switch (method_.order - skip) {
+            case 1: return add_past_of<1>(row, skip, from, to);
+            case 2: return add_past_of<2>(row, skip, from, to);
+            case 3: return add_past_of<3>(row, skip, from, to);
+            case 4: return add_past_of<4>(row, skip, from, to);
+            case 5: return add_past_of<5>(row, skip, from, to);
+            case 6: return add_past_of<6>(row, skip, from, to);
+            default: return add_past_of<max_adams_order>(row, skip, from, to);
+        }
+    }
+    // The number of terms known while compiling, so that numbers are summed several at a time.
+    template <int count>
+    void add_past_of(const AdamsRow& row, int skip, const State& from, State& to) {
+        std::array<const T*, count> rate;
+        std::array<T, count> weight;
         for (int j = 0; j < count; ++j) {
             rate[j] = past_[(newest_ + max_adams_order - j) % max_adams_order].values.data();
             weight[j] = T(step_ * row[j + skip]);
         }
         for (int i = 0; i < size_; ++i) {
             T sum = weight[0] * rate[0][i];
+#pragma GCC unroll 8
             for (int j = 1; j < count; ++j) sum += weight[j] * rate[j][i];
             to.values[i] = from.values[i] + sum;
         }

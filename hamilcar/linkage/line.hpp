@@ -15,23 +15,27 @@ struct Line {
 };
 
 // A line of force along the unit vector n through the carrier's point p, all in chassis axes.  // (44)
-template <class T, int nV>
-HAMILCAR_CORE Line<T, nV> line_through(const T& length, const Vec3<T>& p, const Vec3<T>& n, const Matrix<T, 6, nV>& J,
-                                       const Spatial<T>& x) {
-    const Spatial<T> pull = force_at<T>(p, n);
-    return {length, J.transpose() * pull, pull.dot(x)};
+template <class T, class Position>
+HAMILCAR_CORE auto line_through(const T& length, const Vec3<T>& p, const Vec3<T>& n, const Position& at) {
+    constexpr int nV = std::decay_t<decltype(at.J)>::ColsAtCompileTime;
+    Line<T, nV> line;
+    line.length = length;
+    for (int j = 0; j < nV; ++j) line.gradient[j] = n.dot(velocity_at<T>(at.J.col(j), p));
+    line.drift = Position::drifts ? n.dot(velocity_at<T>(at.x, p)) : T(0);
+    return line;
 }
 
 // From a point of the chassis to a point of the carrier.
 template <class T>
 struct PointLine {
     Vec3<T> chassis_point, carrier_point;  // at design
+    static constexpr auto members() { return std::tuple(&PointLine::chassis_point, &PointLine::carrier_point); }
 
     template <class Position>
-    auto operator()(const Position& at, const T*) const {
+    HAMILCAR_CORE auto operator()(const Position& at, const T*) const {
         const Vec3<T> p = at.pose.point(carrier_point), d = p - chassis_point;
         const T length = sqrt(d.squaredNorm());
-        return line_through<T>(length, p, Vec3<T>(d * (T(1) / length)), at.J, at.x);
+        return line_through<T>(length, p, Vec3<T>(d * (T(1) / length)), at);
     }
 };
 
@@ -39,7 +43,7 @@ struct PointLine {
 template <class T, int coordinate>
 struct CoordinateLine {
     template <class Position>
-    auto operator()(const Position& at, const T* V) const {
+    HAMILCAR_CORE auto operator()(const Position& at, const T* V) const {
         constexpr int nV = std::decay_t<decltype(at.J)>::ColsAtCompileTime;
         return Line<T, nV>{V[coordinate], Vector<T, nV>::Unit(coordinate), T(0)};
     }

@@ -1,48 +1,52 @@
-// Tree joints: each places its child frame and gives one column of B per coordinate, in chassis axes about the origin
-// (paper, section 2; (12)-(17), A.2). A column's rate seen from the chassis is v x column, v the motion of the frame that
-// carries it; a joint adds its own columns to v in the order from the chassis outward.
+// Tree joints: each places its child frame and gives one column of B per coordinate, in chassis axes (paper, section 2;
+// (12)-(17), A.2). Columns are motions about the linkage's anchor, the point of its first joint: there that joint's columns
+// have no linear part, and the compiler knows (motion.hpp).
 //
-// A joint provides: `coordinates`, `name`, `place(parent, q, B, first)` -> child Pose, writing columns `first...` of B,
-// and `carry(v, B, rate, first, B_rate)` -> motion of its child frame, writing the rates of the same columns.
+// A joint provides: `coordinates`, `name`, `outward` (its coordinates in the order from the chassis outward), `point` where
+// it has one, and `place(parent, q, anchor)` -> the child's pose and the columns.
 #pragma once
 
 #include <string_view>
+#include <tuple>
 
 #include "hamilcar/linkage/frame.hpp"
+#include "hamilcar/math/motion.hpp"
 #include "hamilcar/math/rotation.hpp"
 
 namespace hamilcar {
 
-// The first joint's axes do not move with respect to the chassis.
-template <class T>
-struct AtRest {};
+template <class T, class... Column>
+struct PlacedJoint {
+    Pose<T> child;
+    std::tuple<Column...> columns;
+};
 
-template <class T, class Columns, class Rates>
-HAMILCAR_CORE Spatial<T> carry_column(const AtRest<T>&, const Columns& B, const T& rate, int i, Rates& B_rate) {
-    B_rate.col(i).setZero();
-    return B.col(i) * rate;
+// Unit rotation about axis e through `point`: (p x e ; e).  // A.2
+template <class T>
+HAMILCAR_CORE Turn<T> rotation_about(const ChassisFrame<T>&, const Vec3<T>&, const Vec3<T>& e, const Vec3<T>&) {
+    return {{}, e};  // the first joint stands on the anchor
 }
-template <class T, class Columns, class Rates>
-HAMILCAR_CORE Spatial<T> carry_column(const Spatial<T>& v, const Columns& B, const T& rate, int i, Rates& B_rate) {
-    B_rate.col(i) = cross_motion<T>(v, B.col(i));
-    return v + B.col(i) * rate;
+template <class T>
+HAMILCAR_CORE Screw<T> rotation_about(const Pose<T>& parent, const Vec3<T>& point, const Vec3<T>& e,
+                                      const Vec3<T>& anchor) {
+    const Vec3<T> direction = parent.direction(e), p = parent.point(point) - anchor;
+    return {p.cross(direction), direction};
 }
 
 // Rotation q about an axis through a point; positive turns the child about +axis.  // (3), (12)-(14)
 template <class T>
 struct Revolute {
     static constexpr int coordinates = 1;
+    static constexpr std::array<int, 1> outward{0};
     static constexpr std::string_view name = "revolute";
     Vec3<T> point, axis;  // at design, in the parent
+    static constexpr auto members() { return std::tuple(&Revolute::point, &Revolute::axis); }
 
-    template <class Parent, class Columns>
-    HAMILCAR_CORE Pose<T> place(const Parent& parent, const T* q, Columns& B, int first) const {
-        B.col(first) = rotation_column<T>(parent.point(point), parent.direction(axis));  // (14), A.2
-        return turned(parent, axis_rotation(axis, q[0]), point);                         // (3), (4)
-    }
-    template <class Motion, class Columns, class Rates>
-    HAMILCAR_CORE Spatial<T> carry(const Motion& v, const Columns& B, const T* rate, int first, Rates& B_rate) const {
-        return carry_column(v, B, rate[0], first, B_rate);
+    template <class Parent>
+    HAMILCAR_CORE auto place(const Parent& parent, const T* q, const Vec3<T>& anchor) const {
+        const auto column = rotation_about(parent, point, axis, anchor);  // (14), A.2
+        return PlacedJoint<T, std::decay_t<decltype(column)>>{turned(parent, axis_rotation(axis, q[0]), point),
+                                                              {column}};  // (3), (4)
     }
 };
 
@@ -50,19 +54,16 @@ struct Revolute {
 template <class T>
 struct Prismatic {
     static constexpr int coordinates = 1;
+    static constexpr std::array<int, 1> outward{0};
     static constexpr std::string_view name = "prismatic";
     Vec3<T> axis;  // at design, in the parent
     T reference;   // coordinate at design [m]
+    static constexpr auto members() { return std::tuple(&Prismatic::axis, &Prismatic::reference); }
 
-    template <class Parent, class Columns>
-    HAMILCAR_CORE Pose<T> place(const Parent& parent, const T* q, Columns& B, int first) const {
+    template <class Parent>
+    HAMILCAR_CORE PlacedJoint<T, Slide<T>> place(const Parent& parent, const T* q, const Vec3<T>&) const {
         const Vec3<T> e = parent.direction(axis);
-        B.col(first) = translation_column<T>(e);  // (17), A.2
-        return shifted(parent, Vec3<T>(e * (q[0] - reference)));
-    }
-    template <class Motion, class Columns, class Rates>
-    HAMILCAR_CORE Spatial<T> carry(const Motion& v, const Columns& B, const T* rate, int first, Rates& B_rate) const {
-        return carry_column(v, B, rate[0], first, B_rate);
+        return {shifted(parent, Vec3<T>(e * (q[0] - reference))), {Slide<T>{e, {}}}};  // (17), A.2
     }
 };
 
@@ -72,26 +73,21 @@ struct Prismatic {
 template <class T>
 struct BryantSpherical {
     static constexpr int coordinates = 3;
+    static constexpr std::array<int, 3> outward{2, 1, 0};
     static constexpr std::string_view name = "spherical (Bryant angles)";
-    Vec3<T> center;  // at design, in the parent
+    Vec3<T> point;  // the center at design, in the parent
+    static constexpr auto members() { return std::tuple(&BryantSpherical::point); }
 
-    template <class Parent, class Columns>
-    HAMILCAR_CORE Pose<T> place(const Parent& parent, const T* q, Columns& B, int first) const {
+    template <class Parent>
+    HAMILCAR_CORE auto place(const Parent& parent, const T* q, const Vec3<T>& anchor) const {
         const BryantAngles<T> angles(Vec3<T>(q[0], q[1], q[2]));
         const Mat3<T> R = bryant_rotation(angles).transpose();  // (6)
         const auto& [s3, c3] = angles.z;
-        const Vec3<T> p = parent.point(center);
-        // -(p x A2 D2 ; A2 D2)  // (15), A.2
-        B.col(first) = rotation_column<T>(p, parent.direction(-R.col(0)));
-        B.col(first + 1) = rotation_column<T>(p, parent.direction(Vec3<T>(-s3, -c3, T(0))));
-        B.col(first + 2) = rotation_column<T>(p, parent.direction(Vec3<T>(T(0), T(0), T(-1))));
-        return turned(parent, R, center);
-    }
-    template <class Motion, class Columns, class Rates>
-    HAMILCAR_CORE Spatial<T> carry(const Motion& v, const Columns& B, const T* rate, int first, Rates& B_rate) const {
-        const Spatial<T> turned_z = carry_column(v, B, rate[2], first + 2, B_rate);
-        const Spatial<T> turned_y = carry_column(turned_z, B, rate[1], first + 1, B_rate);
-        return carry_column(turned_y, B, rate[0], first, B_rate);
+        const auto about = [&](const Vec3<T>& axis) { return rotation_about(parent, point, axis, anchor); };
+        using Column = std::decay_t<decltype(about(point))>;
+        return PlacedJoint<T, Column, Column, Column>{
+            turned(parent, R, point),  // -(p x A2 D2 ; A2 D2)  // (15), A.2
+            {about(-R.col(0)), about(Vec3<T>(-s3, -c3, T(0))), about(Vec3<T>(T(0), T(0), T(-1)))}};
     }
 };
 

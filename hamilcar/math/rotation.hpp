@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hamilcar/math/eigen.hpp"
-#include "hamilcar/scalar/scalar.hpp"
+#include "hamilcar/scalar/sincos.hpp"
 
 namespace hamilcar {
 

@@ -8,20 +8,25 @@ namespace hamilcar {
 
 // Solves K x = b for symmetric positive definite K, of which only the lower triangle is read: K = L D L^T.
 template <class T, int N>
-Vector<T, N> solve_positive_definite(Matrix<T, N, N> K, Vector<T, N> b) {
+HAMILCAR_CORE Vector<T, N> solve_positive_definite(Matrix<T, N, N> K, Vector<T, N> b) {
     Vector<T, N> inverse_pivot;
+#pragma GCC unroll 8
     for (int j = 0; j < N; ++j) {
         inverse_pivot[j] = T(1) / K(j, j);
+#pragma GCC unroll 8
         for (int i = j + 1; i < N; ++i) {
             const T l = K(i, j) * inverse_pivot[j];
+#pragma GCC unroll 8
             for (int k = j + 1; k <= i; ++k) K(i, k) -= l * K(k, j);
             b[i] -= l * b[j];
         }
     }
     // K's strict lower triangle now holds L D column by column.
     Vector<T, N> x;
+#pragma GCC unroll 8
     for (int j = N - 1; j >= 0; --j) {
         T sum = b[j];
+#pragma GCC unroll 8
         for (int i = j + 1; i < N; ++i) sum -= K(i, j) * x[i];
         x[j] = sum * inverse_pivot[j];
     }

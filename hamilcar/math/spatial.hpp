@@ -4,6 +4,8 @@
 // A body's spatial inertia needs ten numbers; applying it to a motion gives its momentum (linear ; angular about O).
 #pragma once
 
+#include <tuple>
+
 #include "hamilcar/math/eigen.hpp"
 #include "hamilcar/scalar/scalar.hpp"
 
@@ -73,6 +75,10 @@ HAMILCAR_CORE Spatial<T> cross_force(const Spatial<T>& v, const Spatial<T>& f) {
 template <class T>
 struct Symmetric3 {
     T xx, yy, zz, xy, yz, xz;
+    static constexpr auto members() {
+        using S = Symmetric3;
+        return std::tuple(&S::xx, &S::yy, &S::zz, &S::xy, &S::yz, &S::xz);
+    }
 
     HAMILCAR_CORE Vec3<T> operator*(const Vec3<T>& v) const {
         return {xx * v[0] + xy * v[1] + xz * v[2], xy * v[0] + yy * v[1] + yz * v[2],
@@ -97,6 +103,7 @@ struct RigidBody {
     T mass;
     Vec3<T> center;
     Symmetric3<T> inertia;
+    static constexpr auto members() { return std::tuple(&RigidBody::mass, &RigidBody::center, &RigidBody::inertia); }
 };
 
 // Spatial inertia about O: Mhat of (56), (57).
@@ -105,6 +112,9 @@ struct SpatialInertia {
     T mass;
     Vec3<T> moment;         // mass x center [kg m]
     Symmetric3<T> inertia;  // about O [kg m^2]
+    static constexpr auto members() {
+        return std::tuple(&SpatialInertia::mass, &SpatialInertia::moment, &SpatialInertia::inertia);
+    }
 
     // Body with center of mass c and inertia J about it, both already in the axes of O.
     HAMILCAR_CORE static SpatialInertia about_origin(const T& mass, const Vec3<T>& c, const Symmetric3<T>& J) {

@@ -1,6 +1,8 @@
 // A plane road through the ground origin: flat, on a grade, on a bank.
 #pragma once
 
+#include <tuple>
+
 #include "hamilcar/math/eigen.hpp"
 #include "hamilcar/scalar/scalar.hpp"
 
@@ -18,7 +20,9 @@ template <class T>
 struct PlaneRoad {
     Vec3<T> normal;  // ground axes, unit
     T friction;
+    static constexpr auto members() { return std::tuple(&PlaneRoad::normal, &PlaneRoad::friction); }
 
+    PlaneRoad() = default;
     // Rise over run along ground x and y.
     PlaneRoad(const T& grade, const T& bank, const T& friction_factor) : friction(friction_factor) {
         const T scale = T(1) / sqrt(T(1) + grade * grade + bank * bank);

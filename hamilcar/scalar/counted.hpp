@@ -13,9 +13,8 @@ struct OperationCount {
     std::int64_t multiplications = 0;
     std::int64_t divisions = 0;
     std::int64_t roots = 0;
-    std::int64_t sines_cosines = 0;  // pairs
-    std::int64_t choices = 0;        // min, max, abs, comparisons
-    std::int64_t total() const { return additions + multiplications + divisions + roots + sines_cosines; }
+    std::int64_t choices = 0;  // min, max, abs, comparisons
+    std::int64_t total() const { return additions + multiplications + divisions + roots; }
 };
 
 class Counted {
@@ -63,9 +62,4 @@ inline Counted max(Counted a, Counted b) {
 inline double value_of(Counted x) {
     return x.value();
 }
-inline SineCosine<Counted> sincos(Counted angle) {
-    ++Counted::count().sines_cosines;
-    return {Counted(std::sin(angle.value())), Counted(std::cos(angle.value()))};
-}
-
 }  // namespace hamilcar

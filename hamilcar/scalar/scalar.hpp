@@ -11,47 +11,75 @@ namespace hamilcar {
 
 // `condition ? yes : no` as a function; lanes overload it with a blend.
 template <class T>
-T select(bool condition, const T& yes, const T& no) {
+HAMILCAR_CORE T select(bool condition, const T& yes, const T& no) {
     return condition ? yes : no;
 }
 
 // Whether a condition holds in any lane: the only question that may skip work.
-inline bool any(bool condition) {
+HAMILCAR_CORE bool any(bool condition) {
     return condition;
 }
 
-inline double sqrt(double x) {
+HAMILCAR_CORE double sqrt(double x) {
     return std::sqrt(x);
 }
-inline double abs(double x) {
+HAMILCAR_CORE double abs(double x) {
     return std::fabs(x);
 }
-inline double min(double a, double b) {
+HAMILCAR_CORE double min(double a, double b) {
     return a < b ? a : b;
 }
-inline double max(double a, double b) {
+HAMILCAR_CORE double max(double a, double b) {
     return a > b ? a : b;
 }
-
-// Sine and cosine of one angle [rad].
-template <class T>
-struct SineCosine {
-    T sine, cosine;
-};
-
-inline SineCosine<double> sincos(double angle) {
-    return {std::sin(angle), std::cos(angle)};
+HAMILCAR_CORE float sqrt(float x) {
+    return std::sqrt(x);
+}
+HAMILCAR_CORE float abs(float x) {
+    return std::fabs(x);
+}
+HAMILCAR_CORE float min(float a, float b) {
+    return a < b ? a : b;
+}
+HAMILCAR_CORE float max(float a, float b) {
+    return a > b ? a : b;
 }
 
 // min(max(x, low), high); `low` wins nothing when the bounds cross, so keep low <= high.
 template <class T>
-T clamp(const T& x, const T& low, const T& high) {
+HAMILCAR_CORE T clamp(const T& x, const T& low, const T& high) {
     return min(max(x, low), high);
 }
 
 // The plain number behind a scalar, for decisions outside a step.
 inline double value_of(double x) {
     return x;
+}
+inline double value_of(float x) {
+    return x;
+}
+
+// The lanes of a number: one of itself, unless it is a pack. `Element` is what a lane holds.
+template <class T>
+struct Lanes {
+    static constexpr int count = 1;
+    using Element = T;
+    static constexpr const T& get(const T& number, int) { return number; }
+    static constexpr void set(T& number, int, const T& element) { number = element; }
+};
+template <class T>
+inline constexpr int lane_count = Lanes<T>::count;
+template <class T>
+using Element = typename Lanes<T>::Element;
+
+// Lane `i` of a number.
+template <class T>
+HAMILCAR_CORE Element<T> lane(const T& number, int i) {
+    return Lanes<T>::get(number, i);
+}
+template <class T>
+HAMILCAR_CORE void set_lane(T& number, int i, const Element<T>& element) {
+    Lanes<T>::set(number, i, element);
 }
 
 }  // namespace hamilcar

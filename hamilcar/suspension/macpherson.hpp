@@ -23,6 +23,7 @@ struct MacPherson {
     Linkage linkage;
     CoordinateLine<T, 0> spring_line, damper_line;
     std::array<double, 1> design{};  // independent coordinates at design: the strut length [m]
+    static constexpr auto members() { return std::tuple(&MacPherson::linkage); }
 
     explicit MacPherson(const MacPhersonDescription& points) {
         const Vec3<double> top = vec3(points.strut_top), h = top - vec3(points.slide_point);

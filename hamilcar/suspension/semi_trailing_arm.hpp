@@ -18,6 +18,9 @@ struct SemiTrailingArm {
     Linkage linkage;
     PointLine<T> spring_line, damper_line;
     std::array<double, 1> design{};  // arm angle [rad]
+    static constexpr auto members() {
+        return std::tuple(&SemiTrailingArm::linkage, &SemiTrailingArm::spring_line, &SemiTrailingArm::damper_line);
+    }
 
     explicit SemiTrailingArm(const SemiTrailingArmDescription& points) {
         const Vec3<double> inner = vec3(points.inner_bush), outer = vec3(points.outer_bush);

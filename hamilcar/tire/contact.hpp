@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string_view>
+#include <tuple>
 
 #include "hamilcar/math/spatial.hpp"
 #include "hamilcar/road/plane.hpp"
@@ -40,30 +41,28 @@ struct Deflection {
 // Geometry of a disc on a plane.
 template <class T>
 struct ContactFrame {
-    Vec3<T> lowest;  // P0 [m]
-    Vec3<T> point;   // P, on the road [m]
+    Vec3<T> point;  // P, on the road, at `depth` above the disc's lowest point [m]
     Vec3<T> longitudinal, lateral, normal;
     T depth;  // [m]
     T lever;  // r: of a longitudinal force about the spin axis [m]
 };
 
+// With s = n.a and c = sqrt(1 - s^2) the disc's lowest point lies at -R (n - s a) / c from the center and the longitudinal
+// direction is a x n / c, so that a longitudinal force at P has the lever R - c depth about the axis a.
 template <class T>
 HAMILCAR_CORE ContactFrame<T> contact_frame(const RoadPlane<T>& road, const Vec3<T>& center, const Vec3<T>& axis,
                                             const T& radius) {
     const Vec3<T>& n = road.normal;
     const T s = n.dot(axis);
     const T c = sqrt(max(T(1) - s * s, T(1e-6)));  // a wheel lying flat keeps a direction
-    const T inverse_c = T(1) / c;
-    const Vec3<T> radial = (n - s * axis) * inverse_c;
+    const T inverse_c = T(1) / c, reach = radius * inverse_c;
     ContactFrame<T> f;
     f.normal = n;
     f.longitudinal = axis.cross(n) * inverse_c;
     f.lateral = n.cross(f.longitudinal);
     f.depth = radius * c - (n.dot(center) - road.offset);
-    const Vec3<T> arm0 = radial * (-radius), arm = arm0 + n * f.depth;
-    f.lowest = center + arm0;
-    f.point = center + arm;
-    f.lever = -axis.dot(arm.cross(f.longitudinal));
+    f.point = center + n * (f.depth - reach) + axis * (s * reach);
+    f.lever = radius - c * f.depth;
     return f;
 }
 

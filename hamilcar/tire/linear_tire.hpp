@@ -24,7 +24,14 @@ struct LinearTire {
     T curvature_x, curvature_y;  // 1 / relaxation lengths [1/m]
     T carcass_damping;           // [s]
     T rolling_resistance;
+    static constexpr auto members() {
+        using L = LinearTire;
+        return std::tuple(&L::radius, &L::rolling_radius, &L::stiffness, &L::damping, &L::slip_stiffness,
+                          &L::cornering_at_zero, &L::load_scale, &L::friction, &L::curvature_x, &L::curvature_y,
+                          &L::carcass_damping, &L::rolling_resistance);
+    }
 
+    LinearTire() = default;
     explicit LinearTire(const LinearTireDescription& d)
         : radius(d.radius),
           rolling_radius(d.rolling_radius),

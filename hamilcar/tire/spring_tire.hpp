@@ -12,7 +12,11 @@ struct SpringTire {
     static constexpr std::string_view keyword = "spring";
     T radius, rolling_radius;  // [m]
     T stiffness;               // [N/m]
+    static constexpr auto members() {
+        return std::tuple(&SpringTire::radius, &SpringTire::rolling_radius, &SpringTire::stiffness);
+    }
 
+    SpringTire() = default;
     explicit SpringTire(const SpringTireDescription& d)
         : radius(d.radius), rolling_radius(d.rolling_radius), stiffness(d.vertical_stiffness) {}
 

@@ -34,18 +34,18 @@ template <class T>
 Spoke<T> make_spoke(const CornerDescription& d) {
     const Suspension<T> suspension = make_suspension<T>(d.suspension);
     const auto design = std::visit([](const auto& s) { return design_figures<T>(s); }, suspension);
-    return {
-        .suspension = suspension,
-        .carrier = make_body<T>(d.carrier),
-        .wheel = {as<T>(vec3(d.wheel.center)), as<T>(vec3(d.wheel.spin_axis).normalized()), T(d.wheel.spin_inertia)},
-        .spring = {T(d.spring.rate), T(d.spring.force_at_design), design.spring_length},
-        .damper = Damper<T>(d.damper),
-        .bump = {T(d.bump.gap), T(d.bump.rate), T(d.bump.progression)},
-        .rebound = {T(d.rebound.gap), T(d.rebound.rate), T(d.rebound.progression)},
-        .tire = make_tire<T>(d.tire),
-        .brake = Brake<T>(d.brake),
-        .drive_share = T(d.drive_share),
-        .inverse_design_determinant = T(1) / design.determinant};
+    return {.suspension = suspension,
+            .carrier = make_body<T>(d.carrier),
+            .wheel = {as<T>(vec3(d.wheel.center)), as<T>(vec3(d.wheel.spin_axis).normalized()), T(d.wheel.spin_inertia),
+                      T(1 / d.wheel.spin_inertia)},
+            .spring = {T(d.spring.rate), T(d.spring.force_at_design), design.spring_length},
+            .damper = Damper<T>(d.damper),
+            .bump = {T(d.bump.gap), T(d.bump.rate), T(d.bump.progression)},
+            .rebound = {T(d.rebound.gap), T(d.rebound.rate), T(d.rebound.progression)},
+            .tire = make_tire<T>(d.tire),
+            .brake = Brake<T>(d.brake),
+            .drive_share = T(d.drive_share),
+            .inverse_design_determinant = T(1) / design.determinant};
 }
 
 template <class T>
@@ -64,6 +64,8 @@ Vehicle<T>::Vehicle(const VehicleDescription& d)
     for (const auto& bar : d.anti_roll_bars) {
         anti_roll_bars.push_back({static_cast<int>(bar.left), static_cast<int>(bar.right), T(bar.rate)});
     }
+    places = places_of(spokes);
+    if constexpr (!std::is_same_v<Abreast<T>, T>) rows = in_rows<Abreast<T>, Spoke>(spokes, places);
 }
 
 }  // namespace hamilcar

@@ -21,10 +21,18 @@ struct SpokeState {
     Number& brake_windup;                        // b [rad]
 };
 
+inline constexpr int spoke_size = 2 * max_independent + max_dependent + 4;
+
+template <class Number>
+HAMILCAR_CORE SpokeState<Number> spoke_view(Number* at) {
+    constexpr int V = max_independent, W = max_dependent;
+    Number* wheel = at + 2 * V + W;
+    return {at, at + V, at + V + W, wheel[0], wheel[1], wheel[2], wheel[3]};
+}
+
 template <class T>
 struct State {
     static constexpr int hub_size = 14;
-    static constexpr int spoke_size = 2 * max_independent + max_dependent + 4;
     std::array<T, hub_size + max_spokes * spoke_size> values{};
 
     // Numbers in use by a car with that many spokes: a prefix of `values`.
@@ -38,16 +46,38 @@ struct State {
     auto momentum() const { return Eigen::Map<const Spatial<T>>(values.data() + 7); }
     T& work() { return values[13]; }
     const T& work() const { return values[13]; }
-    SpokeState<T> spoke(int i) { return view(values.data() + hub_size + i * spoke_size); }
-    SpokeState<const T> spoke(int i) const { return view(values.data() + hub_size + i * spoke_size); }
-
-private:
-    template <class Number>
-    static SpokeState<Number> view(Number* at) {
-        constexpr int V = max_independent, W = max_dependent;
-        Number* wheel = at + 2 * V + W;
-        return {at, at + V, at + V + W, wheel[0], wheel[1], wheel[2], wheel[3]};
-    }
+    SpokeState<T> spoke(int i) { return spoke_view(values.data() + hub_size + i * spoke_size); }
+    SpokeState<const T> spoke(int i) const { return spoke_view(values.data() + hub_size + i * spoke_size); }
 };
+
+// The shares of spokes abreast, number by number.
+template <class S>
+using RowState = std::array<S, spoke_size>;
+
+template <class S, class T>
+HAMILCAR_CORE RowState<S> gather_row(const State<T>& state, const RowIndex& index) {
+    constexpr std::size_t width = row_width<S, T>;
+    const T* from[width];
+    for (std::size_t i = 0; i < width; ++i) from[i] = state.values.data() + State<T>::hub_size + index[i] * spoke_size;
+    RowState<S> out;
+    for (std::size_t k = 0; k < out.size(); ++k) {
+        if constexpr (width == 1) {
+            out[k] = from[0][k];
+        } else {
+            std::array<T, width> numbers;
+            for (std::size_t i = 0; i < width; ++i) numbers[i] = from[i][k];
+            out[k] = S(numbers);
+        }
+    }
+    return out;
+}
+
+template <class S, class T>
+HAMILCAR_CORE void scatter_row(const RowState<S>& numbers, const RowIndex& index, int count, State<T>& state) {
+    for (int i = 0; i < count; ++i) {
+        T* to = state.values.data() + State<T>::hub_size + index[static_cast<std::size_t>(i)] * spoke_size;
+        for (std::size_t k = 0; k < numbers.size(); ++k) to[k] = at_place<T>(numbers[k], i);
+    }
+}
 
 }  // namespace hamilcar

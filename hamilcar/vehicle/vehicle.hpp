@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <tuple>
 #include <vector>
 
 #include "hamilcar/driveline/brake.hpp"
@@ -10,6 +11,7 @@
 #include "hamilcar/force/hull.hpp"
 #include "hamilcar/suspension/list.hpp"
 #include "hamilcar/tire/list.hpp"
+#include "hamilcar/vehicle/row.hpp"
 
 namespace hamilcar {
 
@@ -18,6 +20,10 @@ template <class T>
 struct Wheel {
     Vec3<T> center, axis;  // at design [m], unit
     T spin_inertia;        // [kg m^2]
+    T inverse_spin_inertia;
+    static constexpr auto members() {
+        return std::tuple(&Wheel::center, &Wheel::axis, &Wheel::spin_inertia, &Wheel::inverse_spin_inertia);
+    }
 };
 
 template <class T>
@@ -32,18 +38,25 @@ struct Spoke {
     Brake<T> brake;
     T drive_share;                 // of the drive torque [1]
     T inverse_design_determinant;  // 1 / det Phi_w at design, the measure of the linkage's mobility
+    static constexpr auto members() {
+        using S = Spoke;
+        return std::tuple(&S::suspension, &S::carrier, &S::wheel, &S::spring, &S::damper, &S::bump, &S::rebound,
+                          &S::tire, &S::brake, &S::drive_share, &S::inverse_design_determinant);
+    }
 };
 
 template <class T>
 struct AntiRollBar {
     int left, right;  // spokes
     T rate;           // [N/m] of wheel travel difference
+    static constexpr auto members() { return std::tuple(&AntiRollBar::left, &AntiRollBar::right, &AntiRollBar::rate); }
 };
 
 template <class T>
 struct Aerodynamics {
     T half_density_area;  // rho C_d A / 2 [kg/m]
     Vec3<T> center;       // [m]
+    static constexpr auto members() { return std::tuple(&Aerodynamics::half_density_area, &Aerodynamics::center); }
 };
 
 template <class T>
@@ -56,9 +69,32 @@ struct Vehicle {
     Hull<T> hull;
     T gravity;     // [m/s^2]
     T total_mass;  // [kg]
+    static constexpr auto members() {
+        using V = Vehicle;
+        return std::tuple(&V::chassis, &V::chassis_inertia, &V::spokes, &V::anti_roll_bars, &V::aerodynamics, &V::hull,
+                          &V::gravity, &V::total_mass, &V::places);
+    }
+    std::vector<int> places;                   // of the spokes in rows of two
+    std::vector<Row<Spoke<Abreast<T>>>> rows;  // the same spokes abreast, where T has room for that
 
+    Vehicle() = default;
     explicit Vehicle(const VehicleDescription& description);
     int spoke_count() const { return static_cast<int>(spokes.size()); }
+
+    // Calls f(row, its number) for the spokes one by one (S = T) or abreast (S = Abreast<T>).
+    template <class S, class F>
+    HAMILCAR_CORE void for_each_row(F&& f) const {
+        if constexpr (std::is_same_v<S, T>) {
+            for (int i = 0; i < spoke_count(); ++i) {
+                const auto place = static_cast<std::size_t>(i);
+                f(Row<const Spoke<T>&>{spokes[place], {i, i}, 1, places[place]}, i);
+            }
+        } else {
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+                f(Row<const Spoke<S>&>{rows[i].spokes, rows[i].index, rows[i].count, 0}, static_cast<int>(i));
+            }
+        }
+    }
 };
 
 }  // namespace hamilcar

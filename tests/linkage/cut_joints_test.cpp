@@ -56,9 +56,11 @@ void check_gradient_rate(const Cut& cut) {
     const auto P_at = [&](double t) { return Vec3<double>(cut.tip + velocity * t + curvature * t * t); };
     const auto g_at = [&](double t) { return evaluated(cut, P_at(t), rack_rate * t).g; };
     for (const double t : {0.0, 0.2}) {
+        const auto rates = cut.gradient_rates(Vec3<double>(velocity + 2 * curvature * t), rack_rate);
         Matrix<double, 3, Cut::equations> g_rate;
-        cut.gradient_rate(Vec3<double>(velocity + 2 * curvature * t), rack_rate,
-                          Eigen::Ref<Matrix<double, 3, Cut::equations>>(g_rate));
+        int i = 0;
+        std::apply([&](const auto&... rate) { ((g_rate.col(i++) = as_vector<double>(rate)), ...); }, rates);
+        ASSERT_EQ(i, Cut::equations);
         EXPECT_LE((g_rate - test::derivative(g_at, t)).norm(), by_difference);
     }
 }

@@ -2,19 +2,15 @@
 // rates that are the rates of those columns. A new joint is one line at the end of this file.
 #include <gtest/gtest.h>
 
-#include <limits>
-
-#include "hamilcar/linkage/tree_joints.hpp"
+#include "hamilcar/linkage/tree.hpp"
 #include "linkage/motion.hpp"
 
 namespace hamilcar {
 namespace {
 
-constexpr double untouched = -12345.0;
 constexpr double exact = 1e-15;          // one or two roundings of numbers below one
 constexpr double by_difference = 1e-10;  // fourth-order differences at a step of 1e-3, entries of order one
 constexpr std::array times{0.0, 0.7, 1.9};
-using Columns = Matrix<double, 6, 8>;
 
 // A motion that visits coordinates to both sides of design, every coordinate with another rhythm.
 template <std::size_t n>
@@ -34,44 +30,59 @@ using DesignOf = std::array<double, static_cast<std::size_t>(Joint::coordinates)
 
 // What a joint hangs on: the chassis itself, or another joint in motion.
 struct OnChassis {
-    static constexpr int first = 0;
     ChassisFrame<double> parent(double) const { return {}; }
     Pose<double> pose(double) const { return {Mat3<double>::Identity(), Vec3<double>::Zero()}; }
-    AtRest<double> motion(double) const { return {}; }
-    Spatial<double> velocity(double) const { return Spatial<double>::Zero(); }
+    Rest motion(double, const Vec3<double>&) const { return {}; }
 };
 
 template <class Lead>
 struct OnJoint {
-    static constexpr int first = Lead::coordinates;
     Lead lead;
     DesignOf<Lead> design;
     Pose<double> pose(double t) const {
-        Columns ignored;
-        return lead.place(ChassisFrame<double>{}, coordinates_at(t + 0.5, design).data(), ignored, 0);
+        return lead.place(ChassisFrame<double>{}, coordinates_at(t + 0.5, design).data(), Vec3<double>(0, 0, 0)).child;
     }
     Pose<double> parent(double t) const { return pose(t); }
-    Spatial<double> velocity(double t) const {
-        return test::motion_of([&](double at) { return pose(at); }, t);
+    // About the anchor.
+    Screw<double> motion(double t, const Vec3<double>& anchor) const {
+        const Spatial<double> v = test::motion_of([&](double at) { return pose(at); }, t);
+        return {velocity_at<double>(v, anchor), v.tail<3>()};
     }
-    Spatial<double> motion(double t) const { return velocity(t); }
 };
 
-struct Placed {
-    Pose<double> pose;
-    Columns B = Columns::Constant(untouched);
-};
+// A joint on the chassis stands on the anchor; any other has it somewhere else.
+template <class Joint>
+Vec3<double> anchor_of(const OnChassis&, const Joint& joint) {
+    if constexpr (requires { joint.point; }) {
+        return joint.point;
+    } else {
+        return Vec3<double>::Zero();
+    }
+}
+template <class Lead, class Joint>
+Vec3<double> anchor_of(const OnJoint<Lead>&, const Joint&) {
+    return {0.3, -0.7, 0.2};
+}
+
 template <class Carrier, class Joint>
-Placed place(const Carrier& carrier, const Joint& joint, double t, const DesignOf<Joint>& q) {
-    Placed out;
-    out.pose = joint.place(carrier.parent(t), q.data(), out.B, Carrier::first);
+auto place(const Carrier& carrier, const Joint& joint, double t, const DesignOf<Joint>& q) {
+    return joint.place(carrier.parent(t), q.data(), anchor_of(carrier, joint));
+}
+
+// The columns about the chassis origin.
+template <class Columns>
+auto as_matrix(const Columns& columns, const Vec3<double>& anchor) {
+    constexpr int n = static_cast<int>(std::tuple_size_v<Columns>);
+    Matrix<double, 6, n> out;
+    int i = 0;
+    std::apply([&](const auto&... column) { ((out.col(i++) = referred<double>(column, anchor)), ...); }, columns);
     return out;
 }
 
 template <class Carrier, class Joint>
 void check_design_pose(const Carrier& carrier, const Joint& joint, const DesignOf<Joint>& design) {
     for (const double t : times) {
-        EXPECT_LE(test::difference(place(carrier, joint, t, design).pose, carrier.pose(t)), 2 * exact);
+        EXPECT_LE(test::difference(place(carrier, joint, t, design).child, carrier.pose(t)), 2 * exact);
     }
 }
 
@@ -80,44 +91,40 @@ template <class Carrier, class Joint>
 void check_columns(const Carrier& carrier, const Joint& joint, const DesignOf<Joint>& design) {
     for (const double t : times) {
         const auto q = coordinates_at(t, design);
-        const auto at = place(carrier, joint, t, q);
+        const auto B = as_matrix(place(carrier, joint, t, q).columns, anchor_of(carrier, joint));
+        ASSERT_EQ(B.cols(), Joint::coordinates);
         for (std::size_t i = 0; i < q.size(); ++i) {
             const auto moved = [&](double value) {
                 auto varied = q;
                 varied[i] = value;
-                return place(carrier, joint, t, varied).pose;
+                return place(carrier, joint, t, varied).child;
             };
             const Spatial<double> expected = test::motion_of(moved, q[i]);
-            EXPECT_LE((at.B.col(Carrier::first + i) - expected).norm(), by_difference) << "coordinate " << i;
+            EXPECT_LE((B.col(static_cast<int>(i)) - expected).norm(), by_difference) << "coordinate " << i;
             EXPECT_GE(expected.norm(), 0.9) << "a unit rate must be seen";
-        }
-        for (int i = 0; i < at.B.cols(); ++i) {
-            const bool own = i >= Carrier::first && i < Carrier::first + Joint::coordinates;
-            EXPECT_EQ((at.B.col(i).array() == untouched).all(), !own) << "column " << i;
         }
     }
 }
 
-// Everything in motion: the child's motion and the rates of the joint's columns.
+// Everything in motion: the child's motion and the rates of the joint's columns, from the order outward it declares.
 template <class Carrier, class Joint>
 void check_carry(const Carrier& carrier, const Joint& joint, const DesignOf<Joint>& design) {
     constexpr int n = Joint::coordinates;
+    using Outward = OutwardOrder<Joint>;
+    const Vec3<double> anchor = anchor_of(carrier, joint);
     const auto placed_at = [&](double t) { return place(carrier, joint, t, coordinates_at(t, design)); };
     for (const double t : times) {
         const auto rate = rates_at<n>(t);
-        Columns B_rate = Columns::Constant(untouched);
-        const Spatial<double> child =
-            joint.carry(carrier.motion(t), placed_at(t).B, rate.data(), Carrier::first, B_rate);
-        const Spatial<double> expected = test::motion_of([&](double at) { return placed_at(at).pose; }, t);
-        EXPECT_LE((child - expected).norm(), by_difference);
-        const auto own_columns = [&](double at) {
-            return Matrix<double, 6, n>(placed_at(at).B.template middleCols<n>(Carrier::first));
-        };
-        const Matrix<double, 6, n> columns_rate = test::derivative(own_columns, t);
-        EXPECT_LE((B_rate.template middleCols<n>(Carrier::first) - columns_rate).norm(), 10 * by_difference);
-        for (int i = 0; i < B_rate.cols(); ++i) {
-            const bool own = i >= Carrier::first && i < Carrier::first + n;
-            EXPECT_EQ((B_rate.col(i).array() == untouched).all(), !own) << "column " << i;
+        const auto [child, outward_rates] =
+            carry_tree<Outward>(carrier.motion(t, anchor), placed_at(t).columns, rate.data());
+        const Spatial<double> expected = test::motion_of([&](double at) { return placed_at(at).child; }, t);
+        EXPECT_LE((referred<double>(child, anchor) - expected).norm(), by_difference);
+        const auto columns = [&](double at) { return as_matrix(placed_at(at).columns, anchor); };
+        const Matrix<double, 6, n> columns_rate = test::derivative(columns, t),
+                                   B_rate = as_matrix(outward_rates, anchor);
+        for (std::size_t i = 0; i < n; ++i) {
+            const int place = Outward::place[i];
+            EXPECT_LE((B_rate.col(place) - columns_rate.col(static_cast<int>(i))).norm(), 10 * by_difference);
         }
     }
 }

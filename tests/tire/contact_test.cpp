@@ -23,6 +23,11 @@ RoadPlane<double> sloping_road() {
 struct Wheel {
     Vec3<double> center, axis;
 };
+
+Vec3<double> lowest_of(const ContactFrame<double>& f) {
+    return f.point - f.normal * f.depth;
+}
+
 // Upright, cambered, steered, nearly over: every camber up to 80 degrees.
 std::array<Wheel, 5> wheels() {
     const auto axis = [](double camber, double steer) {
@@ -63,11 +68,11 @@ TEST(ContactFrame, FindsTheLowestPointOfTheDisc) {
         const double lowest = h1 - (h2 - h0) * (h2 - h0) / (8 * (h0 - 2 * h1 + h2));
         const auto f = contact_frame<double>(road, center, axis, radius);
         EXPECT_NEAR(f.depth, -lowest, 1e-9) << "spacing^3 times the radius";
-        EXPECT_NEAR(road.normal.dot(f.lowest) - road.offset, -f.depth, exact);
-        EXPECT_NEAR((f.lowest - center).norm(), radius, exact) << "on the rim";
-        EXPECT_NEAR((f.lowest - center).dot(axis), 0, exact) << "in the wheel's plane";
+        EXPECT_NEAR(road.normal.dot(lowest_of(f)) - road.offset, -f.depth, exact);
+        EXPECT_NEAR((lowest_of(f) - center).norm(), radius, exact) << "on the rim";
+        EXPECT_NEAR((lowest_of(f) - center).dot(axis), 0, exact) << "in the wheel's plane";
         EXPECT_NEAR(road.normal.dot(f.point), road.offset, exact) << "on the road";
-        EXPECT_NEAR((f.point - f.lowest).cross(road.normal).norm(), 0, exact) << "straight above the lowest point";
+        EXPECT_NEAR((f.point - lowest_of(f)).cross(road.normal).norm(), 0, exact) << "straight above the lowest point";
     }
 }
 
@@ -102,8 +107,8 @@ TEST(ContactFrame, DepthRateIsMinusTheNormalVelocityOfTheLowestPoint) {
         };
         const auto f = frame_at(0);
         const double rate = test::derivative([&](double t) { return frame_at(t).depth; }, 0.0);
-        const Vec3<double> in_chassis = wheel_velocity + wheel_spin.cross(f.lowest - center);
-        const Vec3<double> velocity = in_chassis + chassis_velocity + chassis_spin.cross(f.lowest);
+        const Vec3<double> in_chassis = wheel_velocity + wheel_spin.cross(lowest_of(f) - center);
+        const Vec3<double> velocity = in_chassis + chassis_velocity + chassis_spin.cross(lowest_of(f));
         EXPECT_NEAR(rate, -f.normal.dot(velocity), 1e-10);
         EXPECT_GT(std::abs(rate), 0.01);
     }
@@ -115,7 +120,7 @@ TEST(ContactFrame, OfAWheelLyingFlatStaysFinite) {
         for (const double side : {1.0, -1.0}) {
             const Vec3<double> axis = axis_rotation<double>(road.normal.unitOrthogonal(), tilt) * (side * road.normal);
             const auto f = contact_frame<double>(road, {0, 0.7, 0.1}, axis, radius);
-            for (const Vec3<double>& v : {f.lowest, f.point, f.longitudinal, f.lateral, f.normal}) {
+            for (const Vec3<double>& v : {lowest_of(f), f.point, f.longitudinal, f.lateral, f.normal}) {
                 EXPECT_TRUE(v.allFinite());
                 EXPECT_LE(v.norm(), 2);
             }

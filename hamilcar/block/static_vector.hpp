@@ -1,0 +1,42 @@
+// A vector with a fixed capacity and no heap: a car with four spokes does not pay for places of twelve.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+namespace hamilcar {
+
+template <class T, std::size_t capacity>
+class StaticVector {
+    static_assert(std::is_trivially_destructible_v<T>);
+
+public:
+    StaticVector() {}
+    StaticVector(const StaticVector& other) { *this = other; }
+    StaticVector& operator=(const StaticVector& other) {
+        size_ = 0;
+        for (std::size_t i = 0; i < other.size_; ++i) emplace_back(other[i]);
+        return *this;
+    }
+
+    template <class... Arguments>
+    T& emplace_back(Arguments&&... arguments) {
+        assert(size_ < capacity);
+        return *new (bytes_ + sizeof(T) * size_++) T(std::forward<Arguments>(arguments)...);
+    }
+    std::size_t size() const { return size_; }
+    T& operator[](std::size_t i) { return *std::launder(reinterpret_cast<T*>(bytes_ + sizeof(T) * i)); }
+    const T& operator[](std::size_t i) const {
+        return *std::launder(reinterpret_cast<const T*>(bytes_ + sizeof(T) * i));
+    }
+
+private:
+    alignas(T) std::byte bytes_[capacity * sizeof(T)];
+    std::size_t size_ = 0;
+};
+
+}  // namespace hamilcar

@@ -1,0 +1,111 @@
+// Brings the parameters of several things of one kind into the lanes of one: every struct of parameters lists its members,
+// and the lists of the narrow and the wide struct are walked together.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <tuple>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "hamilcar/math/eigen.hpp"
+#include "hamilcar/scalar/scalar.hpp"
+
+namespace hamilcar {
+
+template <class Wide, class Narrow, std::size_t N>
+void gather(Wide& to, const std::array<const Narrow*, N>& from);
+
+namespace detail {
+
+template <class Narrow, std::size_t N, class Part>
+auto parts(const std::array<const Narrow*, N>& from, Part&& part) {
+    std::array<std::add_pointer_t<std::remove_reference_t<decltype(part(*from[0]))>>, N> out;
+    for (std::size_t i = 0; i < N; ++i) out[i] = &part(*from[i]);
+    return out;
+}
+
+template <class Wide, class Narrow, std::size_t N>
+void gather_members(Wide& to, const std::array<const Narrow*, N>& from) {
+    constexpr auto wide = Wide::members();
+    constexpr auto narrow = Narrow::members();
+    [&]<std::size_t... m>(std::index_sequence<m...>) {
+        (gather(to.*std::get<m>(wide),
+                parts(
+                    from, [&](const Narrow& one) -> const auto& { return one.*std::get<m>(narrow); })),
+         ...);
+    }
+    (std::make_index_sequence<std::tuple_size_v<decltype(wide)>>());
+}
+
+template <class... Wide, class Narrow, std::size_t N>
+void gather_parts(std::tuple<Wide...>& to, const std::array<const Narrow*, N>& from) {
+    [&]<std::size_t... m>(std::index_sequence<m...>) {
+        (gather(std::get<m>(to), parts(
+                                     from, [](const Narrow& one) -> const auto& { return std::get<m>(one); })),
+         ...);
+    }
+    (std::make_index_sequence<sizeof...(Wide)>());
+}
+
+// All hold the same alternative.
+template <class... Wide, class Narrow, std::size_t N>
+void gather_parts(std::variant<Wide...>& to, const std::array<const Narrow*, N>& from) {
+    [&]<std::size_t... m>(std::index_sequence<m...>) {
+        const auto take = [&]<std::size_t k>(std::integral_constant<std::size_t, k>) {
+            if (from[0]->index() != k) return;
+            gather(to.template emplace<k>(),
+                   parts(
+                       from, [](const Narrow& one) -> const auto& { return *std::get_if<k>(&one); }));
+        };
+        (take(std::integral_constant<std::size_t, m>()), ...);
+    }
+    (std::make_index_sequence<sizeof...(Wide)>());
+}
+
+// All are of one length.
+template <class Wide, class Narrow, std::size_t N>
+void gather_parts(std::vector<Wide>& to, const std::array<const Narrow*, N>& from) {
+    to.resize(from[0]->size());
+    for (std::size_t i = 0; i < to.size(); ++i) {
+        gather(to[i], parts(
+                          from, [i](const Narrow& one) -> const auto& { return one[i]; }));
+    }
+}
+template <class Wide, std::size_t size, class Narrow, std::size_t N>
+void gather_parts(std::array<Wide, size>& to, const std::array<const Narrow*, N>& from) {
+    for (std::size_t i = 0; i < size; ++i) {
+        gather(to[i], parts(
+                          from, [i](const Narrow& one) -> const auto& { return one[i]; }));
+    }
+}
+template <class Wide, int rows, int columns, class Narrow, std::size_t N>
+void gather_parts(Eigen::Matrix<Wide, rows, columns>& to, const std::array<const Narrow*, N>& from) {
+    for (int i = 0; i < rows * columns; ++i) {
+        gather(to.data()[i], parts(
+                                 from, [i](const Narrow& one) -> const auto& { return one.data()[i]; }));
+    }
+}
+
+}  // namespace detail
+
+// Lane i of `to` becomes `from[i]`. What has no lanes (a count, a design coordinate) is the first one's, a count the
+// largest.
+template <class Wide, class Narrow, std::size_t N>
+void gather(Wide& to, const std::array<const Narrow*, N>& from) {
+    if constexpr (requires { Wide::members(); }) {
+        detail::gather_members(to, from);
+    } else if constexpr (std::is_integral_v<Narrow>) {
+        to = *from[0];
+        for (const Narrow* one : from) to = std::max(to, *one);
+    } else if constexpr (std::is_floating_point_v<Narrow>) {
+        for (int i = 0; i < lane_count<Wide>; ++i) {
+            set_lane(to, i, static_cast<Element<Wide>>(*from[static_cast<std::size_t>(i)]));
+        }
+    } else {
+        detail::gather_parts(to, from);
+    }
+}
+
+}  // namespace hamilcar
