@@ -87,7 +87,7 @@ BENCHMARK(paper_case_15_s)->Unit(benchmark::kMillisecond);
 
 #ifdef HAMILCAR_WITH_SIMBODY
 void simbody_acceleration_evaluation(benchmark::State& run) {
-    oracle::SimbodyCar car(io::read_vehicle(source("vehicles/bmw_323i.toml")), {});
+    oracle::SimbodyCar car(io::read_vehicle(source("vehicles/bmw_323i.toml")), {}, oracle::SpindleModel::strut);
     for (auto _ : run) benchmark::DoNotOptimize(car.evaluate_accelerations_once({.rack = 0.003, .drive_torque = 250}));
 }
 BENCHMARK(simbody_acceleration_evaluation);

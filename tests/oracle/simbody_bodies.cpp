@@ -1,4 +1,5 @@
-// The car's bodies in Simbody: a free chassis, free spindles held by constraints, pinned arms, and a wheel on each.
+// The car's bodies in Simbody: a free chassis, spindles that are free and held by constraints (or on their struts),
+// pinned arms, and a wheel on each.
 
 #include "tests/oracle/simbody_parts.hpp"
 
@@ -77,7 +78,7 @@ private:
 };
 
 // Held by the slide axis through T, the massless control arm's plane and radius, and the tie rod.
-MobilizedBody add_spindle(Parts& parts, const CornerDescription& corner) {
+MobilizedBody add_free_spindle(Parts& parts, const CornerDescription& corner) {
     const Linkage linkage(corner);
     const Vec3 center = linkage.wheel_center;
     MobilizedBody spindle =
@@ -109,14 +110,23 @@ MobilizedBody add_arm(Parts& parts, const CornerDescription& corner) {
 
 void add_bodies(Parts& parts, MobilizedBody& ground) {
     parts.chassis = MobilizedBody::Free(ground, Body::Rigid(chassis_mass(parts.description.chassis)));
+    bool any_strut = false;
     for (const CornerDescription& corner : parts.description.corners) {
-        const bool strut = std::holds_alternative<MacPhersonDescription>(corner.suspension);
-        MobilizedBody carrier = strut ? add_spindle(parts, corner) : add_arm(parts, corner);
+        CornerParts bodies;
+        if (std::holds_alternative<SemiTrailingArmDescription>(corner.suspension)) {
+            bodies.carrier = add_arm(parts, corner);
+        } else if (parts.spindle_model == SpindleModel::free) {
+            bodies.carrier = add_free_spindle(parts, corner);
+        } else {
+            add_strut(parts, corner, carrier_mass(corner), bodies);
+            any_strut = true;
+        }
         const Rotation spin_frame(UnitVec3(to_vec3(corner.wheel.spin_axis)), SimTK::ZAxis);
-        MobilizedBody wheel =
-            MobilizedBody::Pin(carrier, Transform(spin_frame), Body::Rigid(wheel_mass(corner)), Transform());
-        parts.corners.push_back({carrier, wheel});
+        bodies.wheel =
+            MobilizedBody::Pin(bodies.carrier, Transform(spin_frame), Body::Rigid(wheel_mass(corner)), Transform());
+        parts.corners.push_back(bodies);
     }
+    if (any_strut) add_arms_and_tie_rods(parts);
 }
 
 }  // namespace hamilcar::oracle
