@@ -77,13 +77,17 @@ private:
     const Inputs& inputs_;
 };
 
-// Held by the slide axis through T, the massless control arm's plane and radius, and the tie rod.
-MobilizedBody add_free_spindle(Parts& parts, const CornerDescription& corner) {
-    const Linkage linkage(corner);
+// Its slide axis runs through T.
+MobilizedBody add_free_spindle(Parts& parts, const Linkage& linkage, const SimTK::MassProperties& mass) {
     const Vec3 center = linkage.wheel_center;
-    MobilizedBody spindle =
-        MobilizedBody::Free(parts.chassis, Transform(center), Body::Rigid(carrier_mass(corner)), Transform());
+    MobilizedBody spindle = MobilizedBody::Free(parts.chassis, Transform(center), Body::Rigid(mass), Transform());
     SimTK::Constraint::PointOnLine(spindle, linkage.slide_axis, linkage.slide - center, parts.chassis, linkage.top);
+    return spindle;
+}
+
+// The massless control arm's plane and radius, and the tie rod, in Simbody's own constraints.
+void add_arm_and_tie_rod(Parts& parts, const Linkage& linkage, MobilizedBody& spindle) {
+    const Vec3 center = linkage.wheel_center;
     SimTK::Constraint::PointInPlane(parts.chassis, linkage.arm_axis, ~linkage.arm_axis * linkage.arm_foot, spindle,
                                     linkage.ball - center);
     SimTK::Constraint::Rod(parts.chassis, linkage.arm_foot, spindle, linkage.ball - center, linkage.arm_length);
@@ -92,7 +96,17 @@ MobilizedBody add_free_spindle(Parts& parts, const CornerDescription& corner) {
     MobilizedBody rack = MobilizedBody::Slider(parts.chassis, rack_frame, Body::Massless(), Transform());
     SimTK::Motion::Custom(rack, new RackMotion(parts.inputs));
     SimTK::Constraint::Rod(rack, Vec3(0), spindle, linkage.tie_rod - center, linkage.tie_rod_length);
-    return spindle;
+}
+
+void add_spindle(Parts& parts, const CornerDescription& corner, CornerParts& bodies) {
+    const Linkage linkage(corner);
+    const SimTK::MassProperties mass = carrier_mass(corner);
+    if (parts.spindle_model == SpindleModel::free) {
+        bodies.carrier = add_free_spindle(parts, linkage, mass);
+    } else {
+        add_strut(parts, linkage, mass, bodies);
+    }
+    if (parts.spindle_model != SpindleModel::strut_one_constraint) add_arm_and_tie_rod(parts, linkage, bodies.carrier);
 }
 
 // The pin's axis points to the left on both sides: a trailing wheel then rises with a positive angle.
@@ -110,23 +124,21 @@ MobilizedBody add_arm(Parts& parts, const CornerDescription& corner) {
 
 void add_bodies(Parts& parts, MobilizedBody& ground) {
     parts.chassis = MobilizedBody::Free(ground, Body::Rigid(chassis_mass(parts.description.chassis)));
-    bool any_strut = false;
+    bool any_spindle = false;
     for (const CornerDescription& corner : parts.description.corners) {
         CornerParts bodies;
         if (std::holds_alternative<SemiTrailingArmDescription>(corner.suspension)) {
             bodies.carrier = add_arm(parts, corner);
-        } else if (parts.spindle_model == SpindleModel::free) {
-            bodies.carrier = add_free_spindle(parts, corner);
         } else {
-            add_strut(parts, corner, carrier_mass(corner), bodies);
-            any_strut = true;
+            add_spindle(parts, corner, bodies);
+            any_spindle = true;
         }
         const Rotation spin_frame(UnitVec3(to_vec3(corner.wheel.spin_axis)), SimTK::ZAxis);
         bodies.wheel =
             MobilizedBody::Pin(bodies.carrier, Transform(spin_frame), Body::Rigid(wheel_mass(corner)), Transform());
         parts.corners.push_back(bodies);
     }
-    if (any_strut) add_arms_and_tie_rods(parts);
+    if (any_spindle && parts.spindle_model == SpindleModel::strut_one_constraint) add_arms_and_tie_rods(parts);
 }
 
 }  // namespace hamilcar::oracle

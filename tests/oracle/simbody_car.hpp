@@ -45,10 +45,14 @@ struct Road {
     double friction = 1;  // factor on the tires' own
 };
 
-// How a MacPherson spindle moves. Free in space, with every joint a constraint, it shares the least with hamilcar: 26
-// speeds and 10 multipliers for a car with two struts and two arms. On its strut, in relative coordinates, it is what
-// Simbody does fastest: 20 and 6.
-enum class SpindleModel { free, strut };
+// How a MacPherson spindle moves. Free in space, with every joint a constraint, it shares the least with hamilcar. On
+// its strut, in relative coordinates, with Simbody's constraints as arms and tie rods and prescribed racks, it is what
+// a user of Simbody would build. One constraint for the whole car in place of all those, and of the racks, is faster.
+enum class SpindleModel {
+    free,                  // 26 speeds and 10 multipliers for a car with two struts and two arms
+    strut,                 // 22 and 6
+    strut_one_constraint,  // 20 and 6
+};
 
 class SimbodyCar {
 public:

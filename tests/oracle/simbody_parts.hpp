@@ -47,10 +47,6 @@ struct Parts {
 // Adds every body and constraint to the matter that `ground` belongs to.
 void add_bodies(Parts&, SimTK::MobilizedBody& ground);
 
-// SpindleModel::strut: a carrier of that mass on its piston rod, and afterwards what holds all of them.
-void add_strut(Parts&, const CornerDescription&, const SimTK::MassProperties&, CornerParts&);
-void add_arms_and_tie_rods(Parts&);
-
 // A MacPherson corner as points and lengths in design coordinates, spindle points included.
 struct Linkage {
     explicit Linkage(const CornerDescription&);
@@ -65,6 +61,12 @@ struct Linkage {
     SimTK::UnitVec3 rack_axis;
     double tie_rod_length;
 };
+
+// A carrier of that mass on its piston rod.
+void add_strut(Parts&, const Linkage&, const SimTK::MassProperties&, CornerParts&);
+
+// SpindleModel::strut_one_constraint: what holds all carriers on piston rods, once they are there.
+void add_arms_and_tie_rods(Parts&);
 
 // From spindle stations to the vehicle frame; throws std::runtime_error where there is no such pose.
 SimTK::Transform spindle_pose(const Linkage&, double strut_length, double rack);

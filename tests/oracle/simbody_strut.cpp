@@ -1,6 +1,7 @@
 // The MacPherson corners in relative coordinates: the spindle slides on a massless piston rod that turns in the strut
-// top, so the slide axis needs no multipliers. Arms and tie rods are the equations of one constraint for the whole car:
-// Simbody goes through all constraints for every multiplier, and that costs more than the equations themselves.
+// top, so the slide axis needs no multipliers. Arms and tie rods may be Simbody's constraints or, faster, the equations
+// of one for the whole car: Simbody goes through all constraints for every multiplier, and that costs more than the
+// equations themselves.
 
 #include "tests/oracle/simbody_parts.hpp"
 
@@ -142,8 +143,7 @@ private:
 
 }  // namespace
 
-void add_strut(Parts& parts, const CornerDescription& corner, const SimTK::MassProperties& mass, CornerParts& bodies) {
-    const Linkage linkage(corner);
+void add_strut(Parts& parts, const Linkage& linkage, const SimTK::MassProperties& mass, CornerParts& bodies) {
     const Rotation slide_frame(-linkage.slide_axis, SimTK::XAxis);
     bodies.piston_rod =
         MobilizedBody::Ball(parts.chassis, Transform(linkage.top), SimTK::Body::Massless(), Transform());

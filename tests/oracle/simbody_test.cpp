@@ -121,9 +121,10 @@ TEST(Simbody, AgreesOnASlopeFromRest) {
     EXPECT_LT(gap.angle, angle_tolerance);
 }
 
-// Both of Simbody's cars at 15 m/s, for a bend with drive, then brake.
-struct BothSpindleModels {
-    BothSpindleModels() {
+// Simbody's car with free spindles, and in relative coordinates, at 15 m/s, for a bend with drive, then brake.
+class SimbodySpindles : public testing::TestWithParam<oracle::SpindleModel> {
+protected:
+    SimbodySpindles() {
         for (oracle::SimbodyCar* car : {&free, &strut}) {
             car->set_inputs(inputs(0));
             car->set_state(as_seen_by_simbody(simulation));
@@ -141,7 +142,7 @@ struct BothSpindleModels {
 
     Simulation simulation{test::shipped_car(), bend()};
     std::function<oracle::Inputs(double)> inputs = inputs_of(simulation);
-    oracle::SimbodyCar free{simulation.vehicle(), {}}, strut{simulation.vehicle(), {}, oracle::SpindleModel::strut};
+    oracle::SimbodyCar free{simulation.vehicle(), {}}, strut{simulation.vehicle(), {}, GetParam()};
 };
 
 double largest_difference(const oracle::CarState& one, const oracle::CarState& other) {
@@ -157,34 +158,39 @@ double largest_difference(const oracle::CarState& one, const oracle::CarState& o
     return largest;
 }
 
-TEST(SimbodySpindles, HaveTheSameAccelerationsOnTheirStruts) {
-    BothSpindleModels both;
+TEST_P(SimbodySpindles, HaveTheSameAccelerationsOnTheirStruts) {
     const double now = 0.15, h = 1e-4;
-    both.free.advance(0, 1e-3, 150, both.inputs);
-    ASSERT_GT(both.inputs(now).rack_rate, 0.01);
-    both.strut.set_inputs(both.inputs(now));
-    both.strut.set_state(both.free.state());
-    EXPECT_LT(both.strut.worst_constraint_error(), 1e-12);
-    EXPECT_LT(largest_difference(both.free.state(), both.strut.state()), 1e-11);
-    EXPECT_NEAR(both.strut.energy() / both.free.energy(), 1, 1e-12);
+    free.advance(0, 1e-3, 150, inputs);
+    ASSERT_GT(inputs(now).rack_rate, 0.01);
+    strut.set_inputs(inputs(now));
+    strut.set_state(free.state());
+    EXPECT_LT(strut.worst_constraint_error(), 1e-12);
+    EXPECT_LT(largest_difference(free.state(), strut.state()), 1e-11);
+    EXPECT_NEAR(strut.energy() / free.energy(), 1, 1e-12);
 
-    const oracle::CarState before = both.free.state();
-    both.free.advance(now, h, 1, both.inputs);
-    both.strut.advance(now, h, 1, both.inputs);
-    EXPECT_GT(largest_difference(before, both.free.state()) / h, 1);  // [m/s^2 or rad/s^2]
-    EXPECT_LT(largest_difference(both.free.state(), both.strut.state()) / h, 1e-6);
+    const oracle::CarState before = free.state();
+    free.advance(now, h, 1, inputs);
+    strut.advance(now, h, 1, inputs);
+    EXPECT_GT(largest_difference(before, free.state()) / h, 1);  // [m/s^2 or rad/s^2]
+    EXPECT_LT(largest_difference(free.state(), strut.state()) / h, 1e-6);
 }
 
-TEST(SimbodySpindles, TakeTheSamePathOnTheirStruts) {
-    BothSpindleModels both;
-    both.free.advance(0, 1e-3, 500, both.inputs);
-    both.strut.advance(0, 1e-3, 500, both.inputs);
-    const Gap gap = gap_between(both.free.state(), both.strut.state());
+TEST_P(SimbodySpindles, TakeTheSamePathOnTheirStruts) {
+    free.advance(0, 1e-3, 500, inputs);
+    strut.advance(0, 1e-3, 500, inputs);
+    const Gap gap = gap_between(free.state(), strut.state());
     std::printf("gap: %.2e m, %.2e rad\n", gap.position, gap.angle);
     EXPECT_LT(gap.position, 1e-7);
     EXPECT_LT(gap.angle, 1e-7);
-    EXPECT_LT(both.strut.worst_constraint_error(), 1e-10);
+    EXPECT_LT(strut.worst_constraint_error(), 1e-10);
 }
+
+INSTANTIATE_TEST_SUITE_P(Struts, SimbodySpindles,
+                         testing::Values(oracle::SpindleModel::strut, oracle::SpindleModel::strut_one_constraint),
+                         [](const auto& model) {
+                             const bool own = model.param == oracle::SpindleModel::strut;
+                             return own ? "BuiltInConstraints" : "OneConstraint";
+                         });
 
 }  // namespace
 }  // namespace hamilcar
