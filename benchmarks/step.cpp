@@ -1,5 +1,6 @@
-// The shipped car, cornering at 20 m/s: one right-hand side, one 1 ms step of third-order Adams-Bashforth, the whole 15 s
-// of the paper's case, and a peer. Counters: floating-point operations of one evaluation, counted by a counting scalar.
+// The shipped car, cornering at 20 m/s: one right-hand side, one 1 ms step of third-order Adams-Bashforth, the whole
+// 15 s of the paper's case, and a peer in two forms. Counters: floating-point operations of one evaluation, counted by
+// a counting scalar.
 #include <benchmark/benchmark.h>
 
 #include "hamilcar/io/scenario_file.hpp"
@@ -85,11 +86,20 @@ void paper_case_15_s(benchmark::State& run) {
 BENCHMARK(paper_case_15_s)->Unit(benchmark::kMillisecond);
 
 #ifdef HAMILCAR_WITH_SIMBODY
-void simbody_acceleration_evaluation(benchmark::State& run) {
-    oracle::SimbodyCar car(io::read_vehicle(source("vehicles/bmw_323i.toml")), {});
+void evaluate_in_simbody(benchmark::State& run, oracle::SpindleModel spindle_model) {
+    oracle::SimbodyCar car(io::read_vehicle(source("vehicles/bmw_323i.toml")), {}, spindle_model);
     for (auto _ : run) benchmark::DoNotOptimize(car.evaluate_accelerations_once({.rack = 0.003, .drive_torque = 250}));
 }
+
+void simbody_acceleration_evaluation(benchmark::State& run) {
+    evaluate_in_simbody(run, oracle::SpindleModel::strut);
+}
 BENCHMARK(simbody_acceleration_evaluation);
+
+void simbody_acceleration_evaluation_one_constraint(benchmark::State& run) {
+    evaluate_in_simbody(run, oracle::SpindleModel::strut_one_constraint);
+}
+BENCHMARK(simbody_acceleration_evaluation_one_constraint);
 #endif
 
 }  // namespace

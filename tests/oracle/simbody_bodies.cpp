@@ -1,4 +1,5 @@
-// The car's bodies in Simbody: a free chassis, free spindles held by constraints, pinned arms, and a wheel on each.
+// The car's bodies in Simbody: a free chassis, spindles that are free and held by constraints (or on their struts),
+// pinned arms, and a wheel on each.
 
 #include "tests/oracle/simbody_parts.hpp"
 
@@ -76,13 +77,17 @@ private:
     const Inputs& inputs_;
 };
 
-// Held by the slide axis through T, the massless control arm's plane and radius, and the tie rod.
-MobilizedBody add_spindle(Parts& parts, const CornerDescription& corner) {
-    const Linkage linkage(corner);
+// Its slide axis runs through T.
+MobilizedBody add_free_spindle(Parts& parts, const Linkage& linkage, const SimTK::MassProperties& mass) {
     const Vec3 center = linkage.wheel_center;
-    MobilizedBody spindle =
-        MobilizedBody::Free(parts.chassis, Transform(center), Body::Rigid(carrier_mass(corner)), Transform());
+    MobilizedBody spindle = MobilizedBody::Free(parts.chassis, Transform(center), Body::Rigid(mass), Transform());
     SimTK::Constraint::PointOnLine(spindle, linkage.slide_axis, linkage.slide - center, parts.chassis, linkage.top);
+    return spindle;
+}
+
+// The massless control arm's plane and radius, and the tie rod, in Simbody's own constraints.
+void add_arm_and_tie_rod(Parts& parts, const Linkage& linkage, MobilizedBody& spindle) {
+    const Vec3 center = linkage.wheel_center;
     SimTK::Constraint::PointInPlane(parts.chassis, linkage.arm_axis, ~linkage.arm_axis * linkage.arm_foot, spindle,
                                     linkage.ball - center);
     SimTK::Constraint::Rod(parts.chassis, linkage.arm_foot, spindle, linkage.ball - center, linkage.arm_length);
@@ -91,7 +96,17 @@ MobilizedBody add_spindle(Parts& parts, const CornerDescription& corner) {
     MobilizedBody rack = MobilizedBody::Slider(parts.chassis, rack_frame, Body::Massless(), Transform());
     SimTK::Motion::Custom(rack, new RackMotion(parts.inputs));
     SimTK::Constraint::Rod(rack, Vec3(0), spindle, linkage.tie_rod - center, linkage.tie_rod_length);
-    return spindle;
+}
+
+void add_spindle(Parts& parts, const CornerDescription& corner, CornerParts& bodies) {
+    const Linkage linkage(corner);
+    const SimTK::MassProperties mass = carrier_mass(corner);
+    if (parts.spindle_model == SpindleModel::free) {
+        bodies.carrier = add_free_spindle(parts, linkage, mass);
+    } else {
+        add_strut(parts, linkage, mass, bodies);
+    }
+    if (parts.spindle_model != SpindleModel::strut_one_constraint) add_arm_and_tie_rod(parts, linkage, bodies.carrier);
 }
 
 // The pin's axis points to the left on both sides: a trailing wheel then rises with a positive angle.
@@ -109,14 +124,21 @@ MobilizedBody add_arm(Parts& parts, const CornerDescription& corner) {
 
 void add_bodies(Parts& parts, MobilizedBody& ground) {
     parts.chassis = MobilizedBody::Free(ground, Body::Rigid(chassis_mass(parts.description.chassis)));
+    bool any_spindle = false;
     for (const CornerDescription& corner : parts.description.corners) {
-        const bool strut = std::holds_alternative<MacPhersonDescription>(corner.suspension);
-        MobilizedBody carrier = strut ? add_spindle(parts, corner) : add_arm(parts, corner);
+        CornerParts bodies;
+        if (std::holds_alternative<SemiTrailingArmDescription>(corner.suspension)) {
+            bodies.carrier = add_arm(parts, corner);
+        } else {
+            add_spindle(parts, corner, bodies);
+            any_spindle = true;
+        }
         const Rotation spin_frame(UnitVec3(to_vec3(corner.wheel.spin_axis)), SimTK::ZAxis);
-        MobilizedBody wheel =
-            MobilizedBody::Pin(carrier, Transform(spin_frame), Body::Rigid(wheel_mass(corner)), Transform());
-        parts.corners.push_back({carrier, wheel});
+        bodies.wheel =
+            MobilizedBody::Pin(bodies.carrier, Transform(spin_frame), Body::Rigid(wheel_mass(corner)), Transform());
+        parts.corners.push_back(bodies);
     }
+    if (any_spindle && parts.spindle_model == SpindleModel::strut_one_constraint) add_arms_and_tie_rods(parts);
 }
 
 }  // namespace hamilcar::oracle

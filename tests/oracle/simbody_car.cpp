@@ -24,8 +24,9 @@ constexpr double projection_accuracy = 1e-13;
 }  // namespace
 
 struct SimbodyCar::Engine {
-    Engine(const VehicleDescription& description, const Road& road);
+    Engine(const VehicleDescription& description, const Road& road, SpindleModel spindle_model);
 
+    void set_spindle(std::size_t i, const Corner& corner);
     void set_corner(std::size_t i, const Corner& corner);
     Corner corner(std::size_t i) const;
 
@@ -35,6 +36,11 @@ struct SimbodyCar::Engine {
         state.setTime(time);
     }
     void project() { system.project(state, projection_accuracy); }
+    void realize_accelerations() {
+        system.realize(state, Stage::Time);
+        system.prescribe(state);
+        system.realize(state, Stage::Acceleration);
+    }
     Vector rate(double time, const Inputs& inputs, const Vector& y);
 
     Parts parts;
@@ -45,22 +51,35 @@ struct SimbodyCar::Engine {
     State state;
 };
 
-SimbodyCar::Engine::Engine(const VehicleDescription& description, const Road& road)
-    : parts{description, road, {}, {}, {}}, gravity(forces, matter, -SimTK::ZAxis, description.gravity) {
+SimbodyCar::Engine::Engine(const VehicleDescription& description, const Road& road, SpindleModel spindle_model)
+    : parts{description, road, spindle_model, {}, {}, {}}, gravity(forces, matter, -SimTK::ZAxis, description.gravity) {
     add_bodies(parts, matter.Ground());
     SimTK::Force::Custom(forces, make_forces(parts, forces));
     state = system.realizeTopology();
     system.realizeModel(state);
 }
 
+void SimbodyCar::Engine::set_spindle(std::size_t i, const Corner& values) {
+    const CornerParts& bodies = parts.corners[i];
+    const Linkage linkage(parts.description.corners[i]);
+    const Transform pose = spindle_pose(linkage, values.independent, parts.inputs.rack);
+    const SimTK::SpatialVec twist = spindle_twist(linkage, pose, values.independent_rate, parts.inputs);
+    if (parts.spindle_model == SpindleModel::free) {
+        bodies.carrier.setQToFitTransform(state, Transform(pose.R(), pose.p() - linkage.wheel_center));
+        bodies.carrier.setUToFitVelocity(state, twist);
+    } else {  // the piston rod turns with the spindle
+        bodies.piston_rod.setQToFitRotation(state, pose.R());
+        bodies.piston_rod.setUToFitAngularVelocity(state, twist[0]);
+        bodies.carrier.setOneQ(state, 0, values.independent);
+        bodies.carrier.setOneU(state, 0, values.independent_rate);
+    }
+}
+
 void SimbodyCar::Engine::set_corner(std::size_t i, const Corner& values) {
     const CornerDescription& corner = parts.description.corners[i];
     const CornerParts& bodies = parts.corners[i];
     if (std::holds_alternative<MacPhersonDescription>(corner.suspension)) {
-        const Linkage linkage(corner);
-        const Transform pose = spindle_pose(linkage, values.independent, parts.inputs.rack);
-        bodies.carrier.setQToFitTransform(state, Transform(pose.R(), pose.p() - linkage.wheel_center));
-        bodies.carrier.setUToFitVelocity(state, spindle_twist(linkage, pose, values.independent_rate, parts.inputs));
+        set_spindle(i, values);
     } else {
         bodies.carrier.setOneQ(state, 0, values.independent);
         bodies.carrier.setOneU(state, 0, values.independent_rate);
@@ -79,7 +98,7 @@ Corner SimbodyCar::Engine::corner(std::size_t i) const {
     const CornerParts& bodies = parts.corners[i];
     Corner values;
     if (const auto* strut = std::get_if<MacPhersonDescription>(&description.suspension)) {
-        const Line line = line_between(parts, state, i, strut->slide_point, strut->strut_top);
+        const Line line = line_between(parts, CarMotion(parts, state), i, strut->slide_point, strut->strut_top);
         values.independent = line.length;
         values.independent_rate = line.rate;
     } else {
@@ -98,14 +117,12 @@ Corner SimbodyCar::Engine::corner(std::size_t i) const {
 Vector SimbodyCar::Engine::rate(double time, const Inputs& inputs, const Vector& y) {
     impose(time, inputs);
     state.updY() = y;
-    system.realize(state, Stage::Time);
-    system.prescribe(state);
-    system.realize(state, Stage::Acceleration);
+    realize_accelerations();
     return state.getYDot();
 }
 
-SimbodyCar::SimbodyCar(const VehicleDescription& description, const Road& road)
-    : engine_(std::make_unique<Engine>(description, road)) {
+SimbodyCar::SimbodyCar(const VehicleDescription& description, const Road& road, SpindleModel spindle_model)
+    : engine_(std::make_unique<Engine>(description, road, spindle_model)) {
     CarState design;
     for (const CornerDescription& corner : description.corners) {
         design.corners.emplace_back();
@@ -178,9 +195,8 @@ void SimbodyCar::advance(double t0, double h, int steps, const std::function<Inp
 double SimbodyCar::evaluate_accelerations_once(const Inputs& inputs) {
     Engine& engine = *engine_;
     engine.impose(engine.state.getTime(), inputs);
-    engine.system.realize(engine.state, Stage::Time);
-    engine.system.prescribe(engine.state);
-    engine.system.realize(engine.state, Stage::Acceleration);
+    engine.state.updY();  // else Simbody keeps kinematics and articulated inertias of the evaluation before
+    engine.realize_accelerations();
     return engine.state.getUDot().norm();
 }
 

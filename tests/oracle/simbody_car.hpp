@@ -1,4 +1,4 @@
-// The same car in another engine: Simbody integrates the description with absolute coordinates and multipliers.
+// The same car in another engine: Simbody integrates the description with coordinates and multipliers of its own.
 //
 // Nothing of hamilcar but the plain description is used here; the forces come from the page docs/models/forces.md.
 // Paths that agree with these agree with an independent derivation, an independent solver and a second reading of the
@@ -45,9 +45,19 @@ struct Road {
     double friction = 1;  // factor on the tires' own
 };
 
+// How a MacPherson spindle moves. Free in space, with every joint a constraint, it shares the least with hamilcar. On
+// its strut, in relative coordinates, with Simbody's constraints as arms and tie rods and prescribed racks, it is what
+// a user of Simbody would build. One constraint for the whole car in place of all those, and of the racks, is faster.
+enum class SpindleModel {
+    free,                  // 26 speeds and 10 multipliers for a car with two struts and two arms
+    strut,                 // 22 and 6
+    strut_one_constraint,  // 20 and 6
+};
+
 class SimbodyCar {
 public:
-    SimbodyCar(const VehicleDescription& description, const Road& road);
+    SimbodyCar(const VehicleDescription& description, const Road& road,
+               SpindleModel spindle_model = SpindleModel::free);
     ~SimbodyCar();
 
     // For the calls that are not given any; zero until told. `advance` and `evaluate_accelerations_once` leave

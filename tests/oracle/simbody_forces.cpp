@@ -48,31 +48,40 @@ public:
     }
 
     void calcForce(const State& state, Loads& loads, SimTK::Vector_<Vec3>&, Vector& mobility_forces) const override {
+        CarMotion car(parts_, state);
         for (std::size_t i = 0; i < parts_.corners.size(); ++i) {
-            add_spring_and_damper(state, i, loads);
-            add_stops(state, i, loads);
-            add_road(state, i, loads);
-            add_drive_and_brake(state, i, loads, mobility_forces);
+            add_spring_and_damper(i, car);
+            add_stops(i, car);
+            add_road(state, i, car.corners[i]);
+            add_drive_and_brake(state, i, car, mobility_forces);
         }
         for (const AntiRollBarDescription& bar : parts_.description.anti_roll_bars) {
-            const double force = bar.rate * (travel(state, bar.left) - travel(state, bar.right));
-            lift(state, bar.left, -force, loads);
-            lift(state, bar.right, force, loads);
+            const double force = bar.rate * (travel(car, bar.left) - travel(car, bar.right));
+            lift(bar.left, -force, car);
+            lift(bar.right, force, car);
         }
-        add_drag(state, loads);
+        add_drag(car.chassis);
+        car.chassis.add_load(loads);
+        for (const CornerMotion& corner : car.corners) {
+            corner.carrier.add_load(loads);
+            corner.wheel.add_load(loads);
+        }
     }
 
     double calcPotentialEnergy(const State& state) const override {
+        const CarMotion car(parts_, state);
         double energy = 0;
         for (std::size_t i = 0; i < parts_.corners.size(); ++i) {
             const CornerDescription& corner = parts_.description.corners[i];
-            const double compression = spring_line(state, i).design - spring_line(state, i).line.length;
+            const SpringLine spring = spring_line(car, i);
+            const double compression = spring.design - spring.line.length;
             energy += compression * (corner.spring.force_at_design + corner.spring.rate * compression / 2);
-            const double z = travel(state, i);
-            energy += stop_energy(corner.bump, z) + stop_energy(corner.rebound, -z) + tire_energy(parts_, state, i);
+            const double z = travel(car, i);
+            energy += stop_energy(corner.bump, z) + stop_energy(corner.rebound, -z);
+            energy += tire_energy(parts_, i, car.corners[i]);
         }
         for (const AntiRollBarDescription& bar : parts_.description.anti_roll_bars) {
-            const double difference = travel(state, bar.left) - travel(state, bar.right);
+            const double difference = travel(car, bar.left) - travel(car, bar.right);
             energy += bar.rate * difference * difference / 2;
         }
         return energy;
@@ -84,74 +93,70 @@ private:
         double design;  // its length at design [m]
     };
 
-    SpringLine between(const State& state, std::size_t i, const Point& on_carrier, const Point& on_chassis) const {
+    SpringLine between(const CarMotion& car, std::size_t i, const Point& on_carrier, const Point& on_chassis) const {
         const double design = (to_vec3(on_chassis) - to_vec3(on_carrier)).norm();
-        return {line_between(parts_, state, i, on_carrier, on_chassis), design};
+        return {line_between(parts_, car, i, on_carrier, on_chassis), design};
     }
 
-    SpringLine spring_line(const State& state, std::size_t i) const {
+    SpringLine spring_line(const CarMotion& car, std::size_t i) const {
         const SuspensionDescription& suspension = parts_.description.corners[i].suspension;
         if (const auto* strut = std::get_if<MacPhersonDescription>(&suspension))
-            return between(state, i, strut->slide_point, strut->strut_top);
+            return between(car, i, strut->slide_point, strut->strut_top);
         const auto& arm = std::get<SemiTrailingArmDescription>(suspension);
-        return between(state, i, arm.spring_arm, arm.spring_body);
+        return between(car, i, arm.spring_arm, arm.spring_body);
     }
 
-    SpringLine damper_line(const State& state, std::size_t i) const {
-        const SuspensionDescription& suspension = parts_.description.corners[i].suspension;
-        if (std::holds_alternative<MacPhersonDescription>(suspension)) return spring_line(state, i);
-        const auto& arm = std::get<SemiTrailingArmDescription>(suspension);
-        return between(state, i, arm.damper_arm, arm.damper_body);
-    }
-
-    void add_spring_and_damper(const State& state, std::size_t i, Loads& loads) const {
+    void add_spring_and_damper(std::size_t i, CarMotion& car) const {
         const CornerDescription& corner = parts_.description.corners[i];
         const auto spread = [&](const Line& line, double force) {
-            push(parts_.corners[i].carrier, state, line.on_carrier, -force * line.direction, loads);
-            push(parts_.chassis, state, line.on_chassis, force * line.direction, loads);
+            car.corners[i].carrier.push(line.on_carrier, -force * line.direction);
+            car.chassis.push(line.on_chassis, force * line.direction);
         };
-        const SpringLine spring = spring_line(state, i);
-        spread(spring.line, corner.spring.force_at_design + corner.spring.rate * (spring.design - spring.line.length));
-        const Line damper = damper_line(state, i).line;
+        const SpringLine spring = spring_line(car, i);
+        const double spring_force =
+            corner.spring.force_at_design + corner.spring.rate * (spring.design - spring.line.length);
+        const auto* arm = std::get_if<SemiTrailingArmDescription>(&corner.suspension);
+        if (!arm) return spread(spring.line, spring_force - damper_force(corner.damper, spring.line.rate));
+        spread(spring.line, spring_force);
+        const Line damper = line_between(parts_, car, i, arm->damper_arm, arm->damper_body);
         spread(damper, -damper_force(corner.damper, damper.rate));
     }
 
     // Wheel center above its design height, in vehicle axes.
-    double travel(const State& state, std::size_t i) const {
-        const Vec3 center = parts_.corners[i].carrier.getBodyOriginLocation(state);
-        const Vec3 in_chassis = parts_.chassis.findStationAtGroundPoint(state, center);
-        return in_chassis[2] - parts_.description.corners[i].wheel.center[2];
+    double travel(const CarMotion& car, std::size_t i) const {
+        const Vec3 from_chassis = car.corners[i].carrier.pose.p() - car.chassis.pose.p();
+        return ~car.chassis.pose.z() * from_chassis - parts_.description.corners[i].wheel.center[2];
     }
 
     // A force up along vehicle z on the wheel center, with its reaction on the chassis.
-    void lift(const State& state, std::size_t i, double force, Loads& loads) const {
-        const Vec3 center = parts_.corners[i].carrier.getBodyOriginLocation(state);
-        const Vec3 up = force * parts_.chassis.getBodyRotation(state).z();
-        push(parts_.corners[i].carrier, state, center, up, loads);
-        push(parts_.chassis, state, center, -up, loads);
+    void lift(std::size_t i, double force, CarMotion& car) const {
+        MovingBody& carrier = car.corners[i].carrier;
+        const Vec3 up = force * car.chassis.pose.z();
+        carrier.push(carrier.pose.p(), up);
+        car.chassis.push(carrier.pose.p(), -up);
     }
 
-    void add_stops(const State& state, std::size_t i, Loads& loads) const {
+    void add_stops(std::size_t i, CarMotion& car) const {
         const CornerDescription& corner = parts_.description.corners[i];
-        const double z = travel(state, i);
-        lift(state, i, stop_force(corner.rebound, -z) - stop_force(corner.bump, z), loads);
+        const double z = travel(car, i);
+        lift(i, stop_force(corner.rebound, -z) - stop_force(corner.bump, z), car);
     }
 
-    void add_road(const State& state, std::size_t i, Loads& loads) const {
+    void add_road(const State& state, std::size_t i, CornerMotion& corner) const {
         const int z = 3 * static_cast<int>(i);
         const Vector& deflection = subsystem_.getZ(state);
-        const Deflection rate = add_tire(parts_, state, i, {deflection[z], deflection[z + 1]}, loads);
+        const Deflection rate = add_tire(parts_, i, {deflection[z], deflection[z + 1]}, corner);
         Vector& z_rate = subsystem_.updZDot(state);
         z_rate[z] = rate.u;
         z_rate[z + 1] = rate.v;
     }
 
-    void add_drive_and_brake(const State& state, std::size_t i, Loads& loads, Vector& mobility_forces) const {
+    void add_drive_and_brake(const State& state, std::size_t i, CarMotion& car, Vector& mobility_forces) const {
         const CornerDescription& corner = parts_.description.corners[i];
-        const MobilizedBody& wheel = parts_.corners[i].wheel;
-        const Vec3 drive = corner.drive_share * parts_.inputs.drive_torque * parts_.spin_axis(state, i);
-        twist(wheel, drive, loads);
-        twist(parts_.chassis, -drive, loads);
+        CornerMotion& motion = car.corners[i];
+        const Vec3 drive = corner.drive_share * parts_.inputs.drive_torque * motion.spin_axis;
+        motion.wheel.twist(drive);
+        car.chassis.twist(-drive);
 
         const BrakeDescription& brake = corner.brake;
         const double limit = parts_.inputs.brake * brake.max_torque;
@@ -160,19 +165,19 @@ private:
         const double windup = subsystem_.getZ(state)[z];
         const double excess = windup - std::clamp(windup, -windup_limit, windup_limit);
         const double slowest = windup_return * windup_limit;
-        const double turned = std::clamp(wheel.getOneU(state, 0), -slowest - unwinding * std::max(windup, 0.0),
+        const double turned = std::clamp(motion.spin, -slowest - unwinding * std::max(windup, 0.0),
                                          slowest + unwinding * std::max(-windup, 0.0));
         const double windup_rate = turned - windup_return * excess;
         subsystem_.updZDot(state)[z] = windup_rate;
         const double torque = brake.windup_stiffness * windup + brake.windup_damping * windup_rate;
-        wheel.applyOneMobilityForce(state, 0, -std::clamp(torque, -limit, limit), mobility_forces);
+        parts_.corners[i].wheel.applyOneMobilityForce(state, 0, -std::clamp(torque, -limit, limit), mobility_forces);
     }
 
-    void add_drag(const State& state, Loads& loads) const {
+    void add_drag(MovingBody& chassis) const {
         const AerodynamicsDescription& air = parts_.description.aerodynamics;
-        const Vec3 center = parts_.chassis.findStationLocationInGround(state, to_vec3(air.center));
-        const Vec3 velocity = velocity_at(parts_.chassis, state, center);
-        push(parts_.chassis, state, center, -0.5 * air.air_density * air.drag_area * velocity.norm() * velocity, loads);
+        const Vec3 center = chassis.pose * to_vec3(air.center);
+        const Vec3 velocity = chassis.velocity_at(center);
+        chassis.push(center, -0.5 * air.air_density * air.drag_area * velocity.norm() * velocity);
     }
 
     const Parts& parts_;
@@ -181,28 +186,36 @@ private:
 
 }  // namespace
 
-void push(const MobilizedBody& body, const State& state, const Vec3& point, const Vec3& force, Loads& loads) {
-    const Vec3 lever = point - body.getBodyOriginLocation(state);
-    loads[body.getMobilizedBodyIndex()] += SpatialVec(lever % force, force);
+MovingBody::MovingBody(const MobilizedBody& body, const State& state)
+    : pose(body.getBodyTransform(state)), velocity(body.getBodyVelocity(state)), index_(body.getMobilizedBodyIndex()) {}
+
+Vec3 MovingBody::velocity_at(const Vec3& point) const {
+    return velocity[1] + velocity[0] % (point - pose.p());
 }
 
-void twist(const MobilizedBody& body, const Vec3& moment, Loads& loads) {
-    loads[body.getMobilizedBodyIndex()] += SpatialVec(moment, Vec3(0));
+void MovingBody::push(const Vec3& point, const Vec3& force) {
+    load_ += SpatialVec((point - pose.p()) % force, force);
 }
 
-Vec3 velocity_at(const MobilizedBody& body, const State& state, const Vec3& point) {
-    const Vec3 lever = point - body.getBodyOriginLocation(state);
-    return body.getBodyOriginVelocity(state) + body.getBodyAngularVelocity(state) % lever;
+CarMotion::CarMotion(const Parts& parts, const State& state) : chassis(parts.chassis, state) {
+    corners.reserve(parts.corners.size());
+    for (std::size_t i = 0; i < parts.corners.size(); ++i) {
+        const auto& [carrier, wheel, unused] = parts.corners[i];
+        const MovingBody moving_carrier(carrier, state);
+        const UnitVec3 at_design(to_vec3(parts.description.corners[i].wheel.spin_axis));
+        corners.push_back({moving_carrier, MovingBody(wheel, state), moving_carrier.pose.R() * Vec3(at_design),
+                           wheel.getOneU(state, 0)});
+    }
 }
 
-Line line_between(const Parts& parts, const State& state, std::size_t corner, const Point& on_carrier,
+Line line_between(const Parts& parts, const CarMotion& car, std::size_t corner, const Point& on_carrier,
                   const Point& on_chassis) {
-    const MobilizedBody& carrier = parts.corners[corner].carrier;
-    const Vec3 start = carrier.findStationLocationInGround(state, parts.station(corner, on_carrier));
-    const Vec3 end = parts.chassis.findStationLocationInGround(state, to_vec3(on_chassis));
-    const UnitVec3 direction(end - start);
-    const Vec3 relative = velocity_at(parts.chassis, state, end) - velocity_at(carrier, state, start);
-    return {start, end, direction, (end - start).norm(), ~direction * relative};
+    const MovingBody& carrier = car.corners[corner].carrier;
+    const Vec3 start = carrier.pose * parts.station(corner, on_carrier);
+    const Vec3 end = car.chassis.pose * to_vec3(on_chassis);
+    const double length = (end - start).norm();
+    const UnitVec3 direction((end - start) / length, true);
+    return {start, end, direction, length, ~direction * (car.chassis.velocity_at(end) - carrier.velocity_at(start))};
 }
 
 SimTK::Force::Custom::Implementation* make_forces(const Parts& parts, const SimTK::GeneralForceSubsystem& subsystem) {

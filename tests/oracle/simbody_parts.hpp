@@ -27,23 +27,20 @@ inline SimTK::Vec3 to_vec3(const std::array<double, 3>& a) {
 
 struct CornerParts {
     SimTK::MobilizedBody carrier;
-    SimTK::MobilizedBody wheel;  // turns about its own z, the spin axis
+    SimTK::MobilizedBody wheel;       // turns about its own z, the spin axis
+    SimTK::MobilizedBody piston_rod;  // of a spindle on its strut
 };
 
 struct Parts {
     VehicleDescription description;
     Road road;
+    SpindleModel spindle_model;
     Inputs inputs;
     SimTK::MobilizedBody chassis;
     std::vector<CornerParts> corners;
 
     SimTK::Vec3 station(std::size_t corner, const Point& point) const {
         return to_vec3(point) - to_vec3(description.corners[corner].wheel.center);
-    }
-
-    SimTK::Vec3 spin_axis(const SimTK::State& state, std::size_t corner) const {
-        const SimTK::UnitVec3 at_design(to_vec3(description.corners[corner].wheel.spin_axis));
-        return corners[corner].carrier.getBodyRotation(state) * SimTK::Vec3(at_design);
     }
 };
 
@@ -65,16 +62,49 @@ struct Linkage {
     double tie_rod_length;
 };
 
+// A carrier of that mass on its piston rod.
+void add_strut(Parts&, const Linkage&, const SimTK::MassProperties&, CornerParts&);
+
+// SpindleModel::strut_one_constraint: what holds all carriers on piston rods, once they are there.
+void add_arms_and_tie_rods(Parts&);
+
 // From spindle stations to the vehicle frame; throws std::runtime_error where there is no such pose.
 SimTK::Transform spindle_pose(const Linkage&, double strut_length, double rack);
 
 // Relative to the chassis, in its axes: angular velocity and velocity of the wheel center.
 SimTK::SpatialVec spindle_twist(const Linkage&, const SimTK::Transform& pose, double strut_rate, const Inputs&);
 
-// A force at a point given in ground axes.
-void push(const SimTK::MobilizedBody&, const SimTK::State&, const SimTK::Vec3& point, const SimTK::Vec3& force, Loads&);
-void twist(const SimTK::MobilizedBody&, const SimTK::Vec3& moment, Loads&);
-SimTK::Vec3 velocity_at(const SimTK::MobilizedBody&, const SimTK::State&, const SimTK::Vec3& point);
+// A body in ground axes, at one instant, and what pushes on it. Simbody is asked for each pose and velocity once per
+// evaluation, as its answers cost more than the arithmetic on them.
+class MovingBody {
+public:
+    MovingBody(const SimTK::MobilizedBody&, const SimTK::State&);
+
+    SimTK::Vec3 velocity_at(const SimTK::Vec3& point) const;
+    void push(const SimTK::Vec3& point, const SimTK::Vec3& force);
+    void twist(const SimTK::Vec3& moment) { load_[0] += moment; }
+    void add_load(Loads& loads) const { loads[index_] += load_; }
+
+    const SimTK::Transform& pose;
+    const SimTK::SpatialVec& velocity;
+
+private:
+    SimTK::MobilizedBodyIndex index_;
+    SimTK::SpatialVec load_{SimTK::Vec3(0), SimTK::Vec3(0)};
+};
+
+struct CornerMotion {
+    MovingBody carrier, wheel;
+    SimTK::Vec3 spin_axis;
+    double spin;  // relative to the carrier
+};
+
+struct CarMotion {
+    CarMotion(const Parts&, const SimTK::State&);
+
+    MovingBody chassis;
+    std::vector<CornerMotion> corners;
+};
 
 // A point of the carrier and one of the chassis with the distance between them; all vectors in ground axes.
 struct Line {
@@ -83,8 +113,7 @@ struct Line {
     double length, rate;
 };
 
-Line line_between(const Parts&, const SimTK::State&, std::size_t corner, const Point& on_carrier,
-                  const Point& on_chassis);
+Line line_between(const Parts&, const CarMotion&, std::size_t corner, const Point& on_carrier, const Point& on_chassis);
 
 // Contact deflections or their rates.
 struct Deflection {
@@ -92,9 +121,9 @@ struct Deflection {
 };
 
 // Loads the wheel with everything the road does to it, and returns the rates of the deflections.
-Deflection add_tire(const Parts&, const SimTK::State&, std::size_t corner, const Deflection&, Loads&);
+Deflection add_tire(const Parts&, std::size_t corner, const Deflection&, CornerMotion&);
 
-double tire_energy(const Parts&, const SimTK::State&, std::size_t corner);
+double tire_energy(const Parts&, std::size_t corner, const CornerMotion&);
 
 // Everything of docs/models/forces.md but gravity, which Simbody has itself. The contact deflections and the brake
 // wind-up are three z-variables per corner in the order u, v, b. The force subsystem takes ownership.

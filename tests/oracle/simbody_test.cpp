@@ -1,6 +1,6 @@
-// An independent engine: the shipped car, from the same file, in Simbody (absolute coordinates, constraints with
-// multipliers, wheels as bodies, force laws written a second time). Driven and steered for 6 s, both cars take the same
-// path within 1e-5 m and 1e-5 rad.
+// An independent engine: the shipped car, from the same file, in Simbody (free spindles, constraints with multipliers,
+// wheels as bodies, force laws written a second time). Driven and steered for 6 s, both cars take the same path within
+// 1e-5 m and 1e-5 rad. Simbody's car in relative coordinates, the peer of the benchmark, takes it as well.
 #include <gtest/gtest.h>
 
 #include "oracle/simbody_car.hpp"
@@ -38,12 +38,10 @@ oracle::CarState as_seen_by_simbody(const Simulation& simulation) {
 struct Gap {
     double position = 0, angle = 0;
 };
-Gap gap_between(const Simulation& simulation, const oracle::SimbodyCar& simbody) {
-    const auto theirs = simbody.state();
-    const auto ours = as_seen_by_simbody(simulation);
-    const Vec3<double> a(ours.position.data()), b(theirs.position.data());
-    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> A(ours.rotation.data()),
-        B(theirs.rotation.data());
+Gap gap_between(const oracle::CarState& one, const oracle::CarState& other) {
+    const Vec3<double> a(one.position.data()), b(other.position.data());
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> A(one.rotation.data()),
+        B(other.rotation.data());
     // The rotation between two close orientations: the skew part of A^T B.
     const Mat3<double> between = A.transpose() * B;
     const Vec3<double> angle(between(2, 1) - between(1, 2), between(0, 2) - between(2, 0),
@@ -51,15 +49,19 @@ Gap gap_between(const Simulation& simulation, const oracle::SimbodyCar& simbody)
     return {(a - b).norm(), 0.5 * angle.norm()};
 }
 
+std::function<oracle::Inputs(double)> inputs_of(const Simulation& simulation) {
+    return [&simulation](double t) -> oracle::Inputs {
+        const Input<double> in = simulation.schedule()(t);
+        return {in.rack.displacement, in.rack.rate, in.rack.acceleration, in.drive_torque, in.brake};
+    };
+}
+
 // Runs both and returns the largest gap over the run, looked at ten times a second.
 Gap largest_gap(const ScenarioDescription& scenario) {
     const VehicleDescription car = test::shipped_car();
     Simulation simulation(car, scenario);
     oracle::SimbodyCar simbody(car, {scenario.road.grade, scenario.road.bank, scenario.road.friction});
-    const auto inputs = [&](double t) -> oracle::Inputs {
-        const Input<double> in = simulation.schedule()(t);
-        return {in.rack.displacement, in.rack.rate, in.rack.acceleration, in.drive_torque, in.brake};
-    };
+    const auto inputs = inputs_of(simulation);
     simbody.set_inputs(inputs(0));
     simbody.set_state(as_seen_by_simbody(simulation));
     constexpr double oracle_step = 1e-3, look_every = 0.1;
@@ -71,7 +73,7 @@ Gap largest_gap(const ScenarioDescription& scenario) {
         for (long i = 0; i < our_steps; ++i) {
             if (const auto end = simulation.advance()) ADD_FAILURE() << end->message;
         }
-        const Gap gap = gap_between(simulation, simbody);
+        const Gap gap = gap_between(as_seen_by_simbody(simulation), simbody.state());
         largest = {std::max(largest.position, gap.position), std::max(largest.angle, gap.angle)};
     }
     EXPECT_LT(simbody.worst_constraint_error(), 1e-10);
@@ -118,6 +120,77 @@ TEST(Simbody, AgreesOnASlopeFromRest) {
     EXPECT_LT(gap.position, path_tolerance);
     EXPECT_LT(gap.angle, angle_tolerance);
 }
+
+// Simbody's car with free spindles, and in relative coordinates, at 15 m/s, for a bend with drive, then brake.
+class SimbodySpindles : public testing::TestWithParam<oracle::SpindleModel> {
+protected:
+    SimbodySpindles() {
+        for (oracle::SimbodyCar* car : {&free, &strut}) {
+            car->set_inputs(inputs(0));
+            car->set_state(as_seen_by_simbody(simulation));
+        }
+    }
+
+    static ScenarioDescription bend() {
+        ScenarioDescription s = test::scenario(1, 15);
+        s.drive = test::table({0, 0.2, 0.3}, {0, 500, 0});
+        s.brake = test::table({0.3, 0.5}, {0, 0.15});
+        s.steering_input = SteeringInput::rack;
+        s.steering = test::table({0, 0.3, 0.6}, {0, 0.006, -0.002});
+        return s;
+    }
+
+    Simulation simulation{test::shipped_car(), bend()};
+    std::function<oracle::Inputs(double)> inputs = inputs_of(simulation);
+    oracle::SimbodyCar free{simulation.vehicle(), {}}, strut{simulation.vehicle(), {}, GetParam()};
+};
+
+double largest_difference(const oracle::CarState& one, const oracle::CarState& other) {
+    double largest = 0;
+    const auto compare = [&](double a, double b) { largest = std::max(largest, std::abs(a - b)); };
+    for (std::size_t i = 0; i < 3; ++i) compare(one.velocity[i], other.velocity[i]);
+    for (std::size_t i = 0; i < 3; ++i) compare(one.angular_velocity[i], other.angular_velocity[i]);
+    for (std::size_t i = 0; i < one.corners.size(); ++i) {
+        compare(one.corners[i].independent, other.corners[i].independent);
+        compare(one.corners[i].independent_rate, other.corners[i].independent_rate);
+        compare(one.corners[i].spin, other.corners[i].spin);
+    }
+    return largest;
+}
+
+TEST_P(SimbodySpindles, HaveTheSameAccelerationsOnTheirStruts) {
+    const double now = 0.15, h = 1e-4;
+    free.advance(0, 1e-3, 150, inputs);
+    ASSERT_GT(inputs(now).rack_rate, 0.01);
+    strut.set_inputs(inputs(now));
+    strut.set_state(free.state());
+    EXPECT_LT(strut.worst_constraint_error(), 1e-12);
+    EXPECT_LT(largest_difference(free.state(), strut.state()), 1e-11);
+    EXPECT_NEAR(strut.energy() / free.energy(), 1, 1e-12);
+
+    const oracle::CarState before = free.state();
+    free.advance(now, h, 1, inputs);
+    strut.advance(now, h, 1, inputs);
+    EXPECT_GT(largest_difference(before, free.state()) / h, 1);  // [m/s^2 or rad/s^2]
+    EXPECT_LT(largest_difference(free.state(), strut.state()) / h, 1e-6);
+}
+
+TEST_P(SimbodySpindles, TakeTheSamePathOnTheirStruts) {
+    free.advance(0, 1e-3, 500, inputs);
+    strut.advance(0, 1e-3, 500, inputs);
+    const Gap gap = gap_between(free.state(), strut.state());
+    std::printf("gap: %.2e m, %.2e rad\n", gap.position, gap.angle);
+    EXPECT_LT(gap.position, 1e-7);
+    EXPECT_LT(gap.angle, 1e-7);
+    EXPECT_LT(strut.worst_constraint_error(), 1e-10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Struts, SimbodySpindles,
+                         testing::Values(oracle::SpindleModel::strut, oracle::SpindleModel::strut_one_constraint),
+                         [](const auto& model) {
+                             const bool own = model.param == oracle::SpindleModel::strut;
+                             return own ? "BuiltInConstraints" : "OneConstraint";
+                         });
 
 }  // namespace
 }  // namespace hamilcar

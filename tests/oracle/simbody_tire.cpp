@@ -7,7 +7,6 @@
 
 namespace hamilcar::oracle {
 
-using SimTK::State;
 using SimTK::UnitVec3;
 using SimTK::Vec3;
 
@@ -17,36 +16,34 @@ constexpr double sliding_transport = 20;  // w_s [m/s]
 
 struct Contact {
     Vec3 lowest, point;  // P0 and P
-    Vec3 normal, longitudinal, lateral, spin_axis;
+    Vec3 normal, longitudinal, lateral;
     double depth;
     double lever;  // r, of a longitudinal force about the spin axis
 };
 
-Contact find_contact(const Parts& parts, const State& state, std::size_t i) {
+Contact find_contact(const Parts& parts, std::size_t i, const CornerMotion& corner) {
     const double radius = std::visit([](const auto& tire) { return tire.radius; }, parts.description.corners[i].tire);
-    const Vec3 center = parts.corners[i].carrier.getBodyOriginLocation(state);
+    const Vec3 center = corner.carrier.pose.p();
     Contact result;
     result.normal = Vec3(UnitVec3(-parts.road.grade, -parts.road.bank, 1));
-    result.spin_axis = parts.spin_axis(state, i);
-    const double s = ~result.normal * result.spin_axis;
+    const double s = ~result.normal * corner.spin_axis;
     const double c = std::sqrt(std::max(1 - s * s, 1e-6));
-    const Vec3 radial = (result.normal - s * result.spin_axis) / c;
+    const Vec3 radial = (result.normal - s * corner.spin_axis) / c;
     result.depth = radius * c - ~result.normal * center;
     result.lowest = center - radius * radial;
     result.point = result.lowest + result.depth * result.normal;
-    result.longitudinal = Vec3(UnitVec3(result.spin_axis % result.normal));
+    result.longitudinal = Vec3(UnitVec3(corner.spin_axis % result.normal));
     result.lateral = result.normal % result.longitudinal;
-    result.lever = -(~result.spin_axis * ((result.point - center) % result.longitudinal));
+    result.lever = -(~corner.spin_axis * ((result.point - center) % result.longitudinal));
     return result;
 }
 
-double vertical_load(const Parts& parts, const State& state, std::size_t i, const Contact& at) {
-    const TireDescription& description = parts.description.corners[i].tire;
+double vertical_load(const TireDescription& description, const MovingBody& carrier, const Contact& at) {
     if (const auto* spring = std::get_if<SpringTireDescription>(&description))
         return spring->vertical_stiffness * at.depth;
     const auto& tire = std::get<LinearTireDescription>(description);
     if (at.depth <= 0) return 0;
-    const double closing = -(~at.normal * velocity_at(parts.corners[i].carrier, state, at.lowest));
+    const double closing = -(~at.normal * carrier.velocity_at(at.lowest));
     return std::max(0.0, tire.vertical_stiffness * at.depth + tire.vertical_damping * closing);
 }
 
@@ -87,33 +84,32 @@ Tangential tangential(const LinearTireDescription& tire, double road_friction, d
 }  // namespace
 
 // Normal and lateral force have no moment about the spin axis, so all of the load may go to the wheel's body.
-Deflection add_tire(const Parts& parts, const State& state, std::size_t i, const Deflection& deflection, Loads& loads) {
-    const SimTK::MobilizedBody& carrier = parts.corners[i].carrier;
-    const SimTK::MobilizedBody& wheel = parts.corners[i].wheel;
-    const Contact at = find_contact(parts, state, i);
-    const double load = vertical_load(parts, state, i, at);
-    push(wheel, state, at.point, load * at.normal, loads);
-    const auto* tire = std::get_if<LinearTireDescription>(&parts.description.corners[i].tire);
+Deflection add_tire(const Parts& parts, std::size_t i, const Deflection& deflection, CornerMotion& corner) {
+    const TireDescription& description = parts.description.corners[i].tire;
+    const Contact at = find_contact(parts, i, corner);
+    const double load = vertical_load(description, corner.carrier, at);
+    corner.wheel.push(at.point, load * at.normal);
+    const auto* tire = std::get_if<LinearTireDescription>(&description);
     if (!tire) return {};
 
-    const Vec3 velocity = velocity_at(carrier, state, at.point);
-    const double carrier_spin = ~at.spin_axis * carrier.getBodyAngularVelocity(state);
-    const double spin = carrier_spin + wheel.getOneU(state, 0);  // Omega
+    const Vec3 velocity = corner.carrier.velocity_at(at.point);
+    const double carrier_spin = ~corner.spin_axis * corner.carrier.velocity[0];
+    const double spin = carrier_spin + corner.spin;  // Omega
     Slip slip;
     slip.travel = ~at.longitudinal * velocity;
     slip.longitudinal = slip.travel + at.lever * carrier_spin - tire->rolling_radius * spin;
     slip.lateral = ~at.lateral * velocity;
     const Tangential force = tangential(*tire, parts.road.friction, load, slip, deflection);
 
-    push(wheel, state, at.point, force.longitudinal * at.longitudinal + force.lateral * at.lateral, loads);
+    corner.wheel.push(at.point, force.longitudinal * at.longitudinal + force.lateral * at.lateral);
     const double transfer = -(tire->rolling_radius - at.lever) * force.longitudinal;
     const double rolling = -tire->rolling_resistance * load * tire->rolling_radius * spin / std::hypot(spin, 1.0);
-    twist(wheel, (transfer + rolling) * at.spin_axis, loads);
+    corner.wheel.twist((transfer + rolling) * corner.spin_axis);
     return force.rate;
 }
 
-double tire_energy(const Parts& parts, const State& state, std::size_t i) {
-    const double depth = find_contact(parts, state, i).depth;
+double tire_energy(const Parts& parts, std::size_t i, const CornerMotion& corner) {
+    const double depth = find_contact(parts, i, corner).depth;
     const TireDescription& description = parts.description.corners[i].tire;
     if (std::holds_alternative<LinearTireDescription>(description) && depth <= 0) return 0;
     return std::visit([&](const auto& tire) { return tire.vertical_stiffness * depth * depth / 2; }, description);
