@@ -1,0 +1,130 @@
+// The page docs/models/forces.md once more, all but the tire, on bodies as vectors in ground axes.
+
+#include "tests/oracle/mujoco_parts.hpp"
+
+#include <algorithm>
+
+namespace hamilcar::oracle {
+
+namespace {
+
+constexpr double windup_return = 100;  // [1/s]
+constexpr double unwinding = 300;      // [1/s]
+
+double damper_force(const DamperDescription& damper, double velocity) {
+    const auto& x = damper.velocity;
+    const auto& f = damper.force;
+    if (x.size() < 2) return 0;
+    std::size_t i = 1;  // right end of the segment; the first and the last one reach to infinity
+    while (i + 1 < x.size() && velocity > x[i]) ++i;
+    return f[i - 1] + (f[i] - f[i - 1]) * (velocity - x[i - 1]) / (x[i] - x[i - 1]);
+}
+
+double stop_force(const StopDescription& stop, double travel) {
+    const double x = std::max(0.0, travel - stop.gap);
+    return (stop.rate + stop.progression * x) * x;
+}
+
+// A point of the carrier and one of the chassis, which a force along the line between them pushes apart.
+class Line {
+public:
+    Line(const Point& wheel_center, const Point& on_carrier, const Point& on_chassis, Body& carrier, Body& chassis)
+        : carrier_(carrier),
+          chassis_(chassis),
+          start_(carrier.place(to_vector(on_carrier) - to_vector(wheel_center))),
+          end_(chassis.place(to_vector(on_chassis))),
+          direction_((end_ - start_).normalized()),
+          design_((to_vector(on_chassis) - to_vector(on_carrier)).norm()) {}
+
+    double shortening() const { return design_ - (end_ - start_).norm(); }
+    double rate() const { return direction_.dot(chassis_.velocity_at(end_) - carrier_.velocity_at(start_)); }
+    void push_apart(double force) {
+        carrier_.push(start_, -force * direction_);
+        chassis_.push(end_, force * direction_);
+    }
+
+private:
+    Body& carrier_;
+    Body& chassis_;
+    Vector3d start_, end_, direction_;
+    double design_;
+};
+
+void add_spring_and_damper(const CornerDescription& corner, Body& carrier, Body& chassis) {
+    const auto line = [&](const Point& on_carrier, const Point& on_chassis) {
+        return Line(corner.wheel.center, on_carrier, on_chassis, carrier, chassis);
+    };
+    const auto spring_force = [&](const Line& at) {
+        return corner.spring.force_at_design + corner.spring.rate * at.shortening();
+    };
+    if (const auto* strut = std::get_if<MacPhersonDescription>(&corner.suspension)) {
+        Line both = line(strut->slide_point, strut->strut_top);
+        both.push_apart(spring_force(both) - damper_force(corner.damper, both.rate()));
+        return;
+    }
+    const auto& arm = std::get<SemiTrailingArmDescription>(corner.suspension);
+    Line spring = line(arm.spring_arm, arm.spring_body), damper = line(arm.damper_arm, arm.damper_body);
+    spring.push_apart(spring_force(spring));
+    damper.push_apart(-damper_force(corner.damper, damper.rate()));
+}
+
+// Wheel center above its design height, in vehicle axes.
+double travel(const CornerDescription& corner, const Body& carrier, const Body& chassis) {
+    return chassis.rotation.col(2).dot(carrier.origin - chassis.origin) - corner.wheel.center[2];
+}
+
+// A force up along vehicle z on the wheel center, with its reaction on the chassis.
+void lift(double force, Body& carrier, Body& chassis) {
+    const Vector3d up = force * chassis.rotation.col(2);
+    carrier.push(carrier.origin, up);
+    chassis.push(carrier.origin, -up);
+}
+
+void add_drive_and_brake(const CornerDescription& corner, const Inputs& inputs, CornerMotion& motion, Body& chassis) {
+    const Vector3d spin_axis = motion.carrier.rotation * to_vector(corner.wheel.spin_axis).normalized();
+    const Vector3d drive = corner.drive_share * inputs.drive_torque * spin_axis;
+    motion.wheel_moment += drive;
+    chassis.moment -= drive;
+
+    const BrakeDescription& brake = corner.brake;
+    const double limit = inputs.brake * brake.max_torque;
+    const double windup_limit = brake.windup_stiffness > 0 ? limit / brake.windup_stiffness : 0;  // 0: no brake
+    const double b = motion.states.b;
+    const double slowest = windup_return * windup_limit;
+    const double turned =
+        std::clamp(motion.spin, -slowest - unwinding * std::max(b, 0.0), slowest + unwinding * std::max(-b, 0.0));
+    motion.rates.b = turned - windup_return * (b - std::clamp(b, -windup_limit, windup_limit));
+    const double torque = brake.windup_stiffness * b + brake.windup_damping * motion.rates.b;
+    motion.spin_torque -= std::clamp(torque, -limit, limit);
+}
+
+void add_drag(const AerodynamicsDescription& air, Body& chassis) {
+    const Vector3d center = chassis.place(to_vector(air.center));
+    const Vector3d velocity = chassis.velocity_at(center);
+    chassis.push(center, -0.5 * air.air_density * air.drag_area * velocity.norm() * velocity);
+}
+
+}  // namespace
+
+void add_forces(const VehicleDescription& description, const Road& road, const Inputs& inputs, CarMotion& car) {
+    Body& chassis = car.chassis;
+    for (std::size_t i = 0; i < car.corners.size(); ++i) {
+        const CornerDescription& corner = description.corners[i];
+        CornerMotion& motion = car.corners[i];
+        add_spring_and_damper(corner, motion.carrier, chassis);
+        const double z = travel(corner, motion.carrier, chassis);
+        lift(stop_force(corner.rebound, -z) - stop_force(corner.bump, z), motion.carrier, chassis);
+        add_tire(corner, road, motion);
+        add_drive_and_brake(corner, inputs, motion, chassis);
+    }
+    for (const AntiRollBarDescription& bar : description.anti_roll_bars) {
+        Body &left = car.corners[bar.left].carrier, &right = car.corners[bar.right].carrier;
+        const double force = bar.rate * (travel(description.corners[bar.left], left, chassis) -
+                                         travel(description.corners[bar.right], right, chassis));
+        lift(-force, left, chassis);
+        lift(force, right, chassis);
+    }
+    add_drag(description.aerodynamics, chassis);
+}
+
+}  // namespace hamilcar::oracle
