@@ -19,6 +19,7 @@ LAYERS = [
     ["driver", "analysis"],
     ["io"],
     ["run"],
+    ["batch"],
 ]
 LEVEL = {room: level for level, rooms in enumerate(LAYERS) for room in rooms}
 INCLUDE = re.compile(r'^#include "hamilcar/([^/"]+)/')

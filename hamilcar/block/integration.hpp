@@ -15,19 +15,17 @@ template <class T>
 void close_loops(const Model<T>& model, const RackMotion<T>& rack, State<T>& state, int newton_steps) {
     using S = Abreast<T>;
     const RackMotion<S> rack_of_row = abreast<S>(rack);
-    model.vehicle.template for_each_row<S>([&](const auto& row, int) {
-        std::visit(
-            [&](const auto& suspension) {
-                if constexpr (std::decay_t<decltype(suspension)>::Linkage::nW > 0) {
-                    RowState<S> numbers = gather_row<S>(state, row.index);
-                    const SpokeState<S> spoke = spoke_view(numbers.data());
-                    for (int n = 0; n < newton_steps; ++n) {
-                        suspension.linkage.newton_step(spoke.independent, spoke.dependent, rack_of_row);
-                    }
-                    scatter_row(numbers, row.index, row.count, state);
+    model.vehicle.template for_each_row<S>([&](const auto& row, int) HAMILCAR_INLINED {
+        dispatch(row.spokes.suspension, [&](const auto& suspension) HAMILCAR_INLINED {
+            if constexpr (std::decay_t<decltype(suspension)>::Linkage::nW > 0) {
+                RowState<S> numbers = gather_row<S>(state, row.index);
+                const SpokeState<S> spoke = spoke_view(numbers.data());
+                for (int n = 0; n < newton_steps; ++n) {
+                    suspension.linkage.newton_step(spoke.independent, spoke.dependent, rack_of_row);
                 }
-            },
-            row.spokes.suspension);
+                scatter_row(numbers, row.index, row.count, state);
+            }
+        });
     });
 }
 

@@ -3,6 +3,7 @@
 
 #include "hamilcar/description/scenario.hpp"
 #include "hamilcar/road/plane.hpp"
+#include "hamilcar/scalar/dispatch.hpp"
 #include "hamilcar/vehicle/chart.hpp"
 #include "hamilcar/vehicle/state.hpp"
 
@@ -28,7 +29,7 @@ struct Input {
 
 // Calls f with the chart object the model names.
 template <class T, class F>
-decltype(auto) with_chart(const Model<T>& model, F&& f) {
+HAMILCAR_CORE decltype(auto) with_chart(const Model<T>& model, F&& f) {
     return model.chart == ChassisChart::quaternion ? f(QuaternionChart<T>{}) : f(BryantChart<T>{});
 }
 

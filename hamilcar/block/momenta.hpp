@@ -66,29 +66,27 @@ HAMILCAR_CORE Spatial<T> tire_wrench(const Spoke<T>& spoke, const RoadPlane<T>& 
                                      SpokeForces<T>& out) {
     const T omega = state.spin_momentum * spoke.wheel.inverse_spin_inertia, turning = axis.dot(angular(motion));
     out.spin = omega - turning;
-    return std::visit(
-        [&](const auto& tire) -> Spatial<T> {
-            const auto f = contact_frame<T>(road, center, axis, tire.radius);
-            const Vec3<T> v = velocity_at<T>(motion, f.point);
-            const T v_x = f.longitudinal.dot(v);
-            out.frame = f;
-            out.contact = {.depth = f.depth,
-                           .depth_rate = -f.normal.dot(v),  // the lowest point's own, straight below P
-                           .v_sx = v_x + f.lever * turning - tire.rolling_radius * omega,
-                           .v_sy = f.lateral.dot(v),
-                           .v_x = v_x,
-                           .omega = omega,
-                           .friction = road.friction,
-                           .u = state.deflection_x,
-                           .v = state.deflection_y};
-            out.tire = tire.force(out.contact);
-            const TireForce<T>& F = out.tire;
-            out.tire_spin_torque = F.rolling_moment - tire.rolling_radius * F.Fx;
-            Spatial<T> wrench = force_at<T>(f.point, F.Fx * f.longitudinal + F.Fy * f.lateral + F.Fz * f.normal);
-            angular(wrench) += (F.rolling_moment - (tire.rolling_radius - f.lever) * F.Fx) * axis;
-            return wrench;
-        },
-        spoke.tire);
+    return dispatch(spoke.tire, [&](const auto& tire) HAMILCAR_INLINED -> Spatial<T> {
+        const auto f = contact_frame<T>(road, center, axis, tire.radius);
+        const Vec3<T> v = velocity_at<T>(motion, f.point);
+        const T v_x = f.longitudinal.dot(v);
+        out.frame = f;
+        out.contact = {.depth = f.depth,
+                       .depth_rate = -f.normal.dot(v),  // the lowest point's own, straight below P
+                       .v_sx = v_x + f.lever * turning - tire.rolling_radius * omega,
+                       .v_sy = f.lateral.dot(v),
+                       .v_x = v_x,
+                       .omega = omega,
+                       .friction = road.friction,
+                       .u = state.deflection_x,
+                       .v = state.deflection_y};
+        out.tire = tire.force(out.contact);
+        const TireForce<T>& F = out.tire;
+        out.tire_spin_torque = F.rolling_moment - tire.rolling_radius * F.Fx;
+        Spatial<T> wrench = force_at<T>(f.point, F.Fx * f.longitudinal + F.Fy * f.lateral + F.Fz * f.normal);
+        angular(wrench) += (F.rolling_moment - (tire.rolling_radius - f.lever) * F.Fx) * axis;
+        return wrench;
+    });
 }
 
 // Spin equation of the wheel: p_s' = torque of the tire about the axis + drive + brake.
@@ -190,7 +188,7 @@ HAMILCAR_CORE SpokeShare<T> spoke_momenta(const Spoke<T>& spoke, const Kind& sus
 template <class T, class S>
 HAMILCAR_CORE std::array<T, max_spokes> anti_roll_forces(const Vehicle<T>& vehicle, const Velocity<T, S>& velocity) {
     std::array<T, max_spokes> travel, force;
-    vehicle.template for_each_row<S>([&](const auto& row, int i) {
+    vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
         visit_spoke(row.spokes, velocity, i, [&](const Spoke<S>& spoke, const auto&, const auto& at) {
             const S own = wheel_travel(spoke, at);
             for (std::size_t l = 0; l < static_cast<std::size_t>(row.count); ++l) {
@@ -240,13 +238,14 @@ HAMILCAR_CORE Momenta<T, S> momenta_block_of(const Model<T>& model, const State<
     const Surroundings<S> around = abreast<S>(world);
     const Input<S> inputs{abreast<S>(input.rack), S(input.drive_torque), S(input.brake)};
     PlaceSum<T, S, std::tuple_size_v<SpokeShare<S>>> sum;
-    vehicle.template for_each_row<S>([&](const auto& row, int i) {
+    vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
         const RowState<S> numbers = gather_row<S>(state, row.index);
-        visit_spoke(row.spokes, velocity, i, [&](const Spoke<S>& spoke, const auto& suspension, const auto& at) {
-            sum.add(spoke_momenta<account>(spoke, suspension, at, spoke_view(numbers.data()), inputs, around,
-                                           from_places<S>(bars, row.index), out.spokes[i]),
-                    row);
-        });
+        visit_spoke(row.spokes, velocity, i,
+                    [&](const Spoke<S>& spoke, const auto& suspension, const auto& at) HAMILCAR_INLINED {
+                        sum.add(spoke_momenta<account>(spoke, suspension, at, spoke_view(numbers.data()), inputs,
+                                                       around, from_places<S>(bars, row.index), out.spokes[i]),
+                                row);
+                    });
     });
     const SpokeShare<T> spokes = sum.total();
     for (int k = 0; k < 6; ++k) out.external[k] += spokes[static_cast<std::size_t>(k)];

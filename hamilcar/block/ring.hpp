@@ -40,8 +40,8 @@ HAMILCAR_CORE void rate_of_state(const Model<T>& model, const State<T>& state, c
     });
     rate.position() = r_rate;
     rate.work() = momenta.work_rate;
-    model.vehicle.template for_each_row<S>([&](const auto& row, int i) {
-        visit_spoke(row.spokes, velocity, i, [&](const auto&, const auto& suspension, const auto&) {
+    model.vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
+        visit_spoke(row.spokes, velocity, i, [&](const auto&, const auto& suspension, const auto&) HAMILCAR_INLINED {
             using Linkage = typename std::decay_t<decltype(suspension)>::Linkage;
             scatter_row(row_rate<Linkage>(momenta.spokes[i]), row.index, row.count, rate);
         });

@@ -53,6 +53,10 @@ struct Health {
         violation = max(violation, other.violation);
         mobility = min(mobility, other.mobility);
     }
+    // A cut equation violated this far no longer holds the car together: about 10 mm at a 0.3 m arm. Neither does a NaN.
+    auto comes_apart() const { return !(violation < T(5e-3)); }
+    // A linkage whose det Phi_w has fallen to this share of its design value is about to lock.
+    auto locks() const { return !(mobility > T(1e-3)); }
 };
 
 // S is the number that carries the spokes: T itself for one spoke after the other, Abreast<T> for a row at a time.
@@ -69,12 +73,10 @@ struct Velocity {
 // Calls f(spoke, suspension, its velocities) with the types resolved, once for the spoke or the spokes abreast.
 template <class S, class VelocityRef, class F>
 HAMILCAR_CORE decltype(auto) visit_spoke(const Spoke<S>& spoke, VelocityRef& velocity, int i, F&& f) {
-    return std::visit(
-        [&](const auto& suspension) -> decltype(auto) {
-            using Kind = std::decay_t<decltype(suspension)>;
-            return f(spoke, suspension, *std::get_if<SpokeVelocity<S, Kind>>(&velocity.spokes[i]));
-        },
-        spoke.suspension);
+    return dispatch(spoke.suspension, [&](const auto& suspension) HAMILCAR_INLINED -> decltype(auto) {
+        using Kind = std::decay_t<decltype(suspension)>;
+        return f(spoke, suspension, *std::get_if<SpokeVelocity<S, Kind>>(&velocity.spokes[i]));
+    });
 }
 template <class T, class VelocityRef, class F>
 decltype(auto) visit_spoke(const Vehicle<T>& vehicle, VelocityRef& velocity, int i, F&& f) {
@@ -166,24 +168,22 @@ HAMILCAR_CORE Velocity<T, S> velocity_block_of(const Model<T>& model, const Stat
     });
     PlaceSum<T, S, std::tuple_size_v<CondensedSpoke<S>>> condensed;
     const RackMotion<S> rack = abreast<S>(input.rack);
-    vehicle.template for_each_row<S>([&](const auto& row, int i) {
+    vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
         const RowState<S> numbers = gather_row<S>(state, row.index);
-        std::visit(
-            [&](const auto& suspension) {
-                using Kind = std::decay_t<decltype(suspension)>;
-                auto& spoke = std::get<SpokeVelocity<S, Kind>>(
-                    out.spokes.emplace_back(std::in_place_type<SpokeVelocity<S, Kind>>));
-                condensed.add(condense_spoke<S>(row.spokes, suspension, spoke_view(numbers.data()), rack,
-                                                S(model.stabilization_gain), spoke),
-                              row);
-                out.health.include(inspect_spoke<T>(row.spokes, spoke, row.count));
-            },
-            row.spokes.suspension);
+        dispatch(row.spokes.suspension, [&](const auto& suspension) HAMILCAR_INLINED {
+            using Kind = std::decay_t<decltype(suspension)>;
+            auto& spoke =
+                std::get<SpokeVelocity<S, Kind>>(out.spokes.emplace_back(std::in_place_type<SpokeVelocity<S, Kind>>));
+            condensed.add(condense_spoke<S>(row.spokes, suspension, spoke_view(numbers.data()), rack,
+                                            S(model.stabilization_gain), spoke),
+                          row);
+            out.health.include(inspect_spoke<T>(row.spokes, spoke, row.count));
+        });
     });
     out.hub = solve_hub(vehicle.chassis_inertia, out.momentum, condensed.total());
     const Spatial<S> hub = abreast<S>(out.hub);
-    vehicle.template for_each_row<S>([&](const auto& row, int i) {
-        visit_spoke(row.spokes, out, i, [&](const auto&, const auto&, auto& spoke) {
+    vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
+        visit_spoke(row.spokes, out, i, [&](const auto&, const auto&, auto& spoke) HAMILCAR_INLINED {
             spoke.V_rate = spoke.m_inverse * (spoke.k - spoke.MJ.transpose() * hub);  // (58)
             spoke.motion = hub + spoke.position.J * spoke.V_rate;                     // (18), (42)
             if constexpr (std::decay_t<decltype(spoke.position)>::drifts) spoke.motion += spoke.position.x;

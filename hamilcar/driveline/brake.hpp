@@ -30,7 +30,7 @@ struct Brake {
         T torque;       // on the wheel about its axis [N m]
         T windup_rate;  // [rad/s]
     };
-    Output evaluate(const T& command, const T& spin, const T& windup) const {
+    HAMILCAR_CORE Output evaluate(const T& command, const T& spin, const T& windup) const {
         const T limit = command * max_torque, held = limit * compliance;
         const T outward = T(return_rate) * held;  // a slipping brake winds up no faster than it returns
         const T inward = T(unwinding_rate);

@@ -1,6 +1,5 @@
 #include "hamilcar/driver/schedule.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -25,24 +24,23 @@ std::vector<double> monotone_slopes(const std::vector<double>& t, const std::vec
 
 }  // namespace
 
-Signal::Signal(const SignalDescription& d, double scale)
-    : time_(d.time), value_(d.value), smooth_(d.interpolation == Interpolation::smooth) {
-    for (double& value : value_) value *= scale;
-    if (smooth_) slope_ = monotone_slopes(time_, value_);
-}
-
-Signal::Value Signal::at(double time) const {
-    if (time_.empty()) return {};
-    if (time < time_.front()) return {value_.front(), 0, 0};
-    if (time >= time_.back()) return {value_.back(), 0, 0};
-    const auto next = std::upper_bound(time_.begin(), time_.end(), time);
-    const std::size_t i = static_cast<std::size_t>(next - time_.begin()) - 1;
-    const double h = time_[i + 1] - time_[i], s = (time - time_[i]) / h, rise = value_[i + 1] - value_[i];
-    if (!smooth_) return {value_[i] + s * rise, rise / h, 0};
-    const double a = slope_[i] * h, b = slope_[i + 1] * h;  // Hermite: y = y0 + s (a + s (c2 + s c3))
-    const double c2 = 3 * rise - 2 * a - b, c3 = a + b - 2 * rise;
-    return {value_[i] + s * (a + s * (c2 + s * c3)), (a + s * (2 * c2 + s * 3 * c3)) / h,
-            (2 * c2 + 6 * s * c3) / (h * h)};
+Signal::Signal(const SignalDescription& d, double scale) {
+    if (d.time.empty()) return;
+    std::vector<double> value = d.value;
+    for (double& number : value) number *= scale;
+    const bool smooth = d.interpolation == Interpolation::smooth;
+    const std::vector<double> slope = smooth ? monotone_slopes(d.time, value) : std::vector<double>();
+    spans_ = {Span{{.y0 = value.front()}, -forever, d.time.front()}};
+    for (std::size_t i = 0; i + 1 < d.time.size(); ++i) {
+        const double h = d.time[i + 1] - d.time[i], rise = value[i + 1] - value[i];
+        SignalPiece<double> piece{.inverse_duration = 1 / h, .y0 = value[i], .a = rise};
+        if (smooth) {  // Hermite
+            const double begin = slope[i] * h, end = slope[i + 1] * h;
+            piece.a = begin, piece.b = 3 * rise - 2 * begin - end, piece.c = begin + end - 2 * rise;
+        }
+        spans_.push_back({piece, d.time[i], d.time[i + 1]});
+    }
+    spans_.push_back({{.y0 = value.back()}, d.time.back(), forever});
 }
 
 Schedule::Schedule(const ScenarioDescription& scenario, const SteeringDescription& steering)
@@ -53,7 +51,7 @@ Schedule::Schedule(const ScenarioDescription& scenario, const SteeringDescriptio
 }
 
 Input<double> Schedule::operator()(double time) const {
-    const Signal::Value rack = rack_.at(time);
+    const SignalValue<double> rack = rack_.at(time);
     return {.rack = {rack.value, rack.rate, rack.acceleration},
             .drive_torque = drive_.at(time).value,
             .brake = brake_.at(time).value};

@@ -39,7 +39,7 @@ struct Hull {
     }
 
     // Whether the box around the points does: all that an upright car pays for.
-    auto reaches(const RoadPlane<T>& road) const {
+    HAMILCAR_CORE auto reaches(const RoadPlane<T>& road) const {
         const Vec3<T>& n = road.normal;
         const T reach = abs(n[0]) * half[0] + abs(n[1]) * half[1] + abs(n[2]) * half[2];
         return n.dot(center) - reach < road.offset;

@@ -27,6 +27,12 @@ public:
     void restart() { remembered_ = 0; }
     // False once the adaptive method could not meet its tolerance with any step.
     bool converged() const { return converged_; }
+    // In lanes: what lane `from` remembers, also in lane `to`.
+    void copy_lane(int from, int to) {
+        for (State& past : past_) {
+            for (T& number : past.values) set_lane(number, to, lane(number, from));
+        }
+    }
 
     // y(t) -> y(t + step).
     template <class F>
@@ -35,7 +41,10 @@ public:
             case MethodFamily::adams_bashforth: return advance_adams(f, t, y, false);
             case MethodFamily::adams_bashforth_moulton: return advance_adams(f, t, y, true);
             case MethodFamily::runge_kutta: return advance_runge_kutta(classical_runge_kutta, f, t, step_, y);
-            case MethodFamily::embedded_runge_kutta: return advance_adaptive(f, t, y);
+            case MethodFamily::embedded_runge_kutta:
+                // Lanes share their steps, an error estimate does not.
+                if constexpr (lane_count<T> == 1) return advance_adaptive(f, t, y);
+                converged_ = false;
         }
     }
 

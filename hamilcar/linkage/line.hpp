@@ -11,7 +11,7 @@ struct Line {
     T length;                // [m]
     Vector<T, nV> gradient;  // dl/dV
     T drift;                 // part of the length's rate that is there at V' = 0 [m/s]
-    T rate(const Vector<T, nV>& V_rate) const { return gradient.dot(V_rate) + drift; }
+    HAMILCAR_CORE T rate(const Vector<T, nV>& V_rate) const { return gradient.dot(V_rate) + drift; }
 };
 
 // A line of force along the unit vector n through the carrier's point p, all in chassis axes.  // (44)

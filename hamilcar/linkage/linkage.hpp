@@ -110,7 +110,7 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
             eliminate(rack, alpha, out);
             out.x = referred<T>(drift(out), anchor());
         }
-        for_each_independent([&](auto index) {
+        for_each_independent([&](auto index) HAMILCAR_INLINED {
             constexpr int j = index;
             out.J.col(j) = referred<T>(column_of_J<j>(out), anchor());
         });
@@ -136,7 +136,7 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
         const auto [v, B_rate] = carry_tree<Outward>(Rest{}, at.B, q_rate.data());
         out.B = B_rate;
         for (std::size_t i = 0; i < out.tips.size(); ++i) out.tips[i] = as_vector<T>(velocity_of(v, at.arms[i]));
-        for_each_independent([&](auto index) {
+        for_each_independent([&](auto index) HAMILCAR_INLINED {
             constexpr int j = index;
             const auto H = [&](int i) { return at.H(i, j); };
             const auto Y =
@@ -160,7 +160,7 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
         } else {
             const auto y = combined<OutwardDependent>(rates.B, [&](int i) { return at.X[i]; });
             Vector<T, nW> drive_rate = bend(at, rates, drift(at), y, rack) - alpha * (alpha * at.Phi);
-            visit_cuts([&](const auto& cut, int row, std::size_t i) {
+            visit_cuts([&](const auto& cut, int row, std::size_t i) HAMILCAR_INLINED {
                 if constexpr (std::decay_t<decltype(cut)>::driven) {
                     const auto [g_rate] = cut.gradient_rates(rates.tips[i], rack.rate);
                     const Vec3<T> g = at.gradients.col(row);
@@ -222,7 +222,7 @@ private:
     }
 
     HAMILCAR_CORE void close_loops(const RackMotion<T>& rack, Position& out) const {
-        visit_cuts([&](const auto& cut, int row, std::size_t i) {
+        visit_cuts([&](const auto& cut, int row, std::size_t i) HAMILCAR_INLINED {
             constexpr int n = std::decay_t<decltype(cut)>::equations;
             const Vec3<T> P = out.pose.point(cut.tip);
             out.arms[i] = P - anchor();
@@ -236,7 +236,7 @@ private:
     template <class Picked>
     HAMILCAR_CORE Matrix<T, nW, Picked::count> Phi_columns(const Position& at) const {
         Matrix<T, nW, Picked::count> out;
-        visit_cuts([&](const auto& cut, int row, std::size_t i) {
+        visit_cuts([&](const auto& cut, int row, std::size_t i) HAMILCAR_INLINED {
             for (int k = row; k < row + std::decay_t<decltype(cut)>::equations; ++k) {
                 const Vec3<T> g = at.gradients.col(k), moment = at.arms[i].cross(g);
                 [&]<std::size_t... j>(std::index_sequence<j...>) {
@@ -261,7 +261,7 @@ private:
     // Phi_t = -g.u rack'; the paper prints the opposite sign.
     HAMILCAR_CORE Vector<T, nW> driven_rate(const Position& at, const RackMotion<T>& rack) const {
         Vector<T, nW> Phi_t = Vector<T, nW>::Zero();
-        visit_cuts([&](const auto& cut, int row, int) {
+        visit_cuts([&](const auto& cut, int row, int) HAMILCAR_INLINED {
             if constexpr (std::decay_t<decltype(cut)>::driven)
                 Phi_t[row] = -Vec3<T>(at.gradients.col(row)).dot(cut.drive_axis) * rack.rate;  // (28)
         });
@@ -273,7 +273,7 @@ private:
     HAMILCAR_CORE Vector<T, nW> bend(const Position& at, const Rates& rates, const J& motion, const Y& rate,
                                      const RackMotion<T>& rack) const {
         Vector<T, nW> out;
-        visit_cuts([&](const auto& cut, int row, std::size_t i) {
+        visit_cuts([&](const auto& cut, int row, std::size_t i) HAMILCAR_INLINED {
             const Vec3<T>&r = at.arms[i], &P_rate = rates.tips[i];
             const auto P_J = velocity_of(motion, r);
             const auto bent = add(cross(motion.angular, P_rate), velocity_of(rate, r));

@@ -13,11 +13,6 @@ namespace hamilcar {
 
 namespace {
 
-// A cut equation violated this far no longer holds the car together: about 10 mm at a 0.3 m arm [m or m^2].
-constexpr double lost_assembly_violation = 5e-3;
-// A linkage whose det Phi_w has fallen to this share of its design value is about to lock.
-constexpr double locking_mobility = 1e-3;
-
 // A mistake at a key of the scenario; the message goes on after the key's name.
 [[noreturn]] void reject(const std::string& key, const std::string& message) {
     throw io::Error(io::ExitCode::bad_file, fmt::format("key '{}'{}", key, message), key);
@@ -159,8 +154,8 @@ std::string Simulation::inspect(const Health<double>& health) const {
         return fmt::format("{} cannot meet the tolerance {:g} with any step", integrator_.method().name,
                            scenario_.solver.tolerance);
     }
-    const bool locks = !(health.mobility > locking_mobility);
-    if (!locks && health.violation < lost_assembly_violation) return {};
+    const bool locks = health.locks();
+    if (!locks && !health.comes_apart()) return {};
     const RackMotion<double> rack = schedule_(time()).rack;
     LoopReport worst = inspect_loops(model_, rack, state_, 0);
     for (int i = 1; i < model_.vehicle.spoke_count(); ++i) {

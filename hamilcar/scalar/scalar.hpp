@@ -6,6 +6,8 @@
 
 // Marks the small functions of the core: always inlined, and the one place where a device build adds its qualifiers.
 #define HAMILCAR_CORE [[gnu::always_inline]] inline
+// The same for a lambda, after its parameters.
+#define HAMILCAR_INLINED __attribute__((always_inline))
 
 namespace hamilcar {
 

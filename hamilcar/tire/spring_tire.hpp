@@ -20,7 +20,7 @@ struct SpringTire {
     explicit SpringTire(const SpringTireDescription& d)
         : radius(d.radius), rolling_radius(d.rolling_radius), stiffness(d.vertical_stiffness) {}
 
-    TireForce<T> force(const TireContact<T>& c) const {
+    HAMILCAR_CORE TireForce<T> force(const TireContact<T>& c) const {
         const T Fz = stiffness * c.depth;
         return {
             .Fx = T(0), .Fy = T(0), .Fz = Fz, .elastic = Fz, .rolling_moment = T(0), .u_rate = T(0), .v_rate = T(0)};

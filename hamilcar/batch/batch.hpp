@@ -1,0 +1,62 @@
+// Many cars in lock step: a car in each lane of a pack, packs over threads. Every car has its own parameters, driver, road
+// and start; what they share is the topology, the method and the step.
+//
+// A car computes the same bits here as in a Simulation of its own, whatever its lane, its neighbors, the number of threads
+// and the instruction set.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hamilcar/batch/engine.hpp"
+#include "hamilcar/batch/worker_pool.hpp"
+#include "hamilcar/run/simulation.hpp"
+
+namespace hamilcar {
+
+struct BatchOptions {
+    int threads = 0;  // with the caller's own; zero: as many as the machine has
+    Precision precision = Precision::double_precision;
+    std::string instruction_set;  // empty: the richest that the processor has
+    double tilt_limit = 0;        // a car ends when its z axis leans further [rad]; zero: it may roll over
+    bool energy_balance = false;  // integrate the work along; costs about a tenth
+};
+
+// What differs between two cars that cannot share a pack, or nothing: "suspension of corner 2", "step", ...
+std::string topology_difference(const Simulation& a, const Simulation& b);
+
+class Batch {
+public:
+    // Takes over cars that have been put on the road by their Simulations and not been advanced yet; these must outlive
+    // the batch. Throws std::invalid_argument for cars that cannot share a pack, for the adaptive method and for no cars;
+    // and as batch_engine does.
+    Batch(std::vector<const Simulation*> cars, const BatchOptions& options);
+    Batch(const std::vector<Simulation>& cars, const BatchOptions& options);
+
+    std::size_t size() const { return cars_.size(); }
+    int lanes() const { return lanes_; }
+    int threads() const { return pool_.threads(); }
+    std::string_view instruction_set() const { return engine_->instruction_set; }
+
+    // All cars by that many steps; those that have ended stay where they are.
+    void advance(long steps);
+    double time() const { return chunks_.front()->time(); }
+    // In doubles; the last good state of a car that has ended.
+    State<double> state(std::size_t car) const { return chunk_of(car).state(lane_of(car)); }
+    CarEnd end(std::size_t car) const { return chunk_of(car).end(lane_of(car)); }
+    // Another driver from now on; it must outlive the batch.
+    void set_schedule(std::size_t car, const Schedule& schedule) { chunk_of(car).set_schedule(lane_of(car), schedule); }
+
+private:
+    Chunk& chunk_of(std::size_t car) const { return *chunks_[car / static_cast<std::size_t>(lanes_)]; }
+    int lane_of(std::size_t car) const { return static_cast<int>(car % static_cast<std::size_t>(lanes_)); }
+
+    std::vector<const Simulation*> cars_;
+    const BatchEngine* engine_;
+    int lanes_;
+    std::vector<std::unique_ptr<Chunk>> chunks_;
+    WorkerPool pool_;
+};
+
+}  // namespace hamilcar

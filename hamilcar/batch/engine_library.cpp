@@ -1,0 +1,83 @@
+#include "hamilcar/batch/engine_library.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <stdexcept>
+
+namespace hamilcar {
+
+namespace {
+
+bool supported(std::string_view set) {
+#if defined(__x86_64__)
+    __builtin_cpu_init();
+    const bool v2 =
+        __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("ssse3") && __builtin_cpu_supports("popcnt");
+    const bool v3 = v2 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
+                    __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
+    const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                    __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+                    __builtin_cpu_supports("avx512vl");
+    return set == "x86-64-v2" ? v2 : set == "x86-64-v3" ? v3 : set == "x86-64-v4" && v4;
+#else
+    return false;
+#endif
+}
+
+// Where it was built, where it was installed, and beside the program that is running.
+std::vector<std::string> places(std::string_view set) {
+    const std::string name = fmt::format("hamilcar_batch_{}.so", set);
+    std::vector<std::string> found{std::string(HAMILCAR_ENGINE_BUILT) + "/" + name,
+                                   std::string(HAMILCAR_ENGINE_INSTALLED) + "/" + name};
+    std::error_code error;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+    if (!error) found.push_back((program.parent_path() / "../lib/hamilcar" / name).lexically_normal().string());
+    return found;
+}
+
+const BatchEngine& open_engine(std::string_view set) {
+    std::string tried;
+    for (const std::string& path : places(set)) {
+        // Local, so that no symbol of one instruction set is ever taken for another's.
+        if (void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+            const auto function = reinterpret_cast<BatchEngineFunction>(dlsym(library, batch_engine_symbol));
+            if (function && function()->version == BatchEngine::current_version) return *function();
+            tried += fmt::format("\n  {}: of another version of hamilcar", path);
+            dlclose(library);
+        } else {
+            tried += fmt::format("\n  {}", dlerror());
+        }
+    }
+    throw std::runtime_error(fmt::format("the batch engine for {} cannot be opened; tried{}", set, tried));
+}
+
+}  // namespace
+
+std::vector<std::string_view> supported_instruction_sets() {
+    std::vector<std::string_view> found;
+    std::copy_if(instruction_sets.begin(), instruction_sets.end(), std::back_inserter(found), supported);
+    return found;
+}
+
+const BatchEngine& batch_engine(std::string_view instruction_set) {
+    static std::mutex mutex;
+    static std::map<std::string, const BatchEngine*, std::less<>> opened;
+    const std::vector<std::string_view> own = supported_instruction_sets();
+    if (own.empty()) throw std::runtime_error("no batch engine exists for this processor");
+    if (instruction_set.empty()) instruction_set = own.front();
+    if (std::find(own.begin(), own.end(), instruction_set) == own.end()) {
+        throw std::invalid_argument(fmt::format("instruction set \"{}\": expected one that this processor has: {}",
+                                                instruction_set, fmt::join(own, ", ")));
+    }
+    const std::lock_guard lock(mutex);
+    const auto found = opened.find(instruction_set);
+    if (found != opened.end()) return *found->second;
+    return *opened.emplace(instruction_set, &open_engine(instruction_set)).first->second;
+}
+
+}  // namespace hamilcar

@@ -1,0 +1,21 @@
+// std::visit for the inside of a step: a chain of comparisons that the compiler sees through, without tables or exceptions.
+#pragma once
+
+#include <variant>
+
+#include "hamilcar/scalar/scalar.hpp"
+
+namespace hamilcar {
+
+// Calls f with the alternative that `variant` holds; it holds one.
+template <std::size_t I = 0, class Variant, class F>
+HAMILCAR_CORE decltype(auto) dispatch(Variant& variant, F&& f) {
+    if constexpr (I + 1 == std::variant_size_v<std::remove_const_t<Variant>>) {
+        return f(*std::get_if<I>(&variant));
+    } else {
+        if (variant.index() == I) return f(*std::get_if<I>(&variant));
+        return dispatch<I + 1>(variant, f);
+    }
+}
+
+}  // namespace hamilcar
