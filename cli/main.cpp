@@ -6,6 +6,7 @@
 #include <new>
 
 #include "commands.hpp"
+#include "hamilcar/engine/library.hpp"
 #include "hamilcar/io/spelling.hpp"
 
 namespace {
@@ -43,7 +44,9 @@ int run_command(int argc, char** argv) {
         "Hamilcar simulates wheeled vehicles with their real suspension linkages.\n"
         "Exit codes: 0 ok, 1 criterion not met, 2 usage, 3 bad file, 4 numerical failure, 5 input/output, 130 "
         "interrupted"};
-    app.set_version_flag("--version", "hamilcar " HAMILCAR_VERSION);
+    app.set_version_flag("--version", [] {
+        return fmt::format("hamilcar " HAMILCAR_VERSION "\nengine: {}", hamilcar::best_engine().instruction_set);
+    });
     app.require_subcommand(1);
     cli::Options options;
     auto* run = app.add_subcommand("run", "run a scenario and write its results as CSV and netCDF");

@@ -2,7 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace hamilcar::cli {
+
+namespace {
+// JSON has no NaN: null where a run did not keep the number.
+nlohmann::json kept(double number) {
+    return std::isnan(number) ? nlohmann::json(nullptr) : nlohmann::json(number);
+}
+}  // namespace
 
 nlohmann::json summary_json(const Simulation& simulation, const RunSummary& summary,
                             const std::vector<std::string>& files) {
@@ -31,8 +40,8 @@ nlohmann::json summary_json(const Simulation& simulation, const RunSummary& summ
         {"energy",
          {{"kinetic_J", end.energy.kinetic},
           {"potential_J", end.energy.potential},
-          {"work_J", end.energy.work},
-          {"worst_balance_error_J", summary.worst_energy_drift},
+          {"work_J", kept(end.energy.work)},
+          {"worst_balance_error_J", kept(summary.worst_energy_drift)},
           {"largest_kinetic_J", summary.largest_kinetic_energy}}},
         {"end_state", state},
         {"files", files},
@@ -55,9 +64,13 @@ void print_summary(const nlohmann::json& facts) {
     fmt::print("                   roll {:.3f}, pitch {:.3f}, yaw {:.3f} deg\n", value("chassis.angle.roll"),
                value("chassis.angle.pitch"), value("chassis.angle.yaw"));
     fmt::print("  joints           open by {:.2e} m at most\n", facts["worst_constraint_opening_m"].get<double>());
-    fmt::print("  energy           kinetic {:.1f} J, work {:.1f} J; balance within {:.2e} J\n",
-               energy["kinetic_J"].get<double>(), energy["work_J"].get<double>(),
-               energy["worst_balance_error_J"].get<double>());
+    if (energy["work_J"].is_null()) {
+        fmt::print("  energy           kinetic {:.1f} J; no balance kept\n", energy["kinetic_J"].get<double>());
+    } else {
+        fmt::print("  energy           kinetic {:.1f} J, work {:.1f} J; balance within {:.2e} J\n",
+                   energy["kinetic_J"].get<double>(), energy["work_J"].get<double>(),
+                   energy["worst_balance_error_J"].get<double>());
+    }
     fmt::print("  speed            {:.3f} s, {:.0f} times real time\n", facts["wall_s"].get<double>(),
                facts["real_time_factor"].get<double>());
     for (const auto& file : facts["files"]) fmt::print("  wrote            {}\n", file.get<std::string>());

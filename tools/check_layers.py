@@ -17,6 +17,7 @@ LAYERS = [
     ["vehicle"],
     ["block"],
     ["driver", "analysis"],
+    ["engine"],
     ["io"],
     ["run"],
     ["batch"],

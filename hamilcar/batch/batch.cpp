@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "hamilcar/batch/engine_library.hpp"
+#include "hamilcar/engine/library.hpp"
 
 namespace hamilcar {
 
@@ -49,7 +49,7 @@ Batch::Batch(const std::vector<Simulation>& cars, const BatchOptions& options) :
 
 Batch::Batch(std::vector<const Simulation*> cars, const BatchOptions& options)
     : cars_(std::move(cars)),
-      engine_(&batch_engine(options.instruction_set)),
+      engine_(options.instruction_set.empty() ? &best_engine() : &engine(options.instruction_set)),
       lanes_(engine_->lanes(options.precision)),
       pool_(options.threads) {
     if (cars_.empty()) throw std::invalid_argument("a batch needs at least one car");

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "hamilcar/batch/engine.hpp"
 #include "hamilcar/batch/worker_pool.hpp"
+#include "hamilcar/engine/engine.hpp"
 #include "hamilcar/run/simulation.hpp"
 
 namespace hamilcar {
@@ -30,7 +30,7 @@ class Batch {
 public:
     // Takes over cars that have been put on the road by their Simulations and not been advanced yet; these must outlive
     // the batch. Throws std::invalid_argument for cars that cannot share a pack, for the adaptive method and for no cars;
-    // and as batch_engine does.
+    // and as engine() does.
     Batch(std::vector<const Simulation*> cars, const BatchOptions& options);
     Batch(const std::vector<Simulation>& cars, const BatchOptions& options);
 
@@ -53,7 +53,7 @@ private:
     int lane_of(std::size_t car) const { return static_cast<int>(car % static_cast<std::size_t>(lanes_)); }
 
     std::vector<const Simulation*> cars_;
-    const BatchEngine* engine_;
+    const Engine* engine_;
     int lanes_;
     std::vector<std::unique_ptr<Chunk>> chunks_;
     WorkerPool pool_;

@@ -1,8 +1,9 @@
 // Integration block (paper, section 6.1 (3)): q and P_a to the next step, then back onto what must hold exactly.
 //
-// In exact mode W is integrated with alpha = 0, which is a prediction, and a Newton step on Phi(V, W, t) = 0 puts it back
-// on the constraints at the end of each step; in the paper's mode (27) does this job. The quaternion is brought back to
-// unit length. Neither touches an independent coordinate or a momentum.
+// In exact mode W is integrated with alpha = 0, and each step takes back in full what its first turn of the ring found
+// open: a Newton step on Phi(V, W, t) = 0 with matrices that the Velocity block has anyway, so that no more than one step's
+// own error of integration ever stands open. In the paper's mode (27) does this job, at the rate alpha. The quaternion is
+// brought back to unit length. Neither touches an independent coordinate or a momentum.
 #pragma once
 
 #include "hamilcar/block/ring.hpp"
@@ -30,9 +31,22 @@ void close_loops(const Model<T>& model, const RackMotion<T>& rack, State<T>& sta
 }
 
 template <class T>
-void normalize_orientation(State<T>& state) {
+HAMILCAR_CORE void add_closing(const Model<T>& model, const RingTurn<T>& turn, State<T>& state) {
+    for (int i = 0; i < model.vehicle.spoke_count(); ++i) {
+        const auto& closing = turn.closing[static_cast<std::size_t>(i)];
+        dispatch(model.vehicle.spokes[static_cast<std::size_t>(i)].suspension, [&](const auto& suspension) {
+            for (int j = 0; j < std::decay_t<decltype(suspension)>::Linkage::nW; ++j) {
+                state.spoke(i).dependent[j] += closing[static_cast<std::size_t>(j)];
+            }
+        });
+    }
+}
+
+// One Newton step on |q|^2 = 1: a step's drift is so small that it leaves nothing.
+template <class T>
+HAMILCAR_CORE void normalize_orientation(State<T>& state) {
     const Vector<T, 4> q = state.orientation();
-    state.orientation() = q * (T(1) / sqrt(q.squaredNorm()));
+    state.orientation() = q * (T(1.5) - T(0.5) * q.squaredNorm());
 }
 
 // One step; `input_at(t)` is the driver. Returns the worst health met on the way; of the adaptive method only at the start,
@@ -41,15 +55,21 @@ template <class T, class Driver>
 Health<T> integration_block(const Model<T>& model, Integrator<State<T>>& integrator, const Driver& input_at, double t,
                             State<T>& state) {
     const bool trials = integrator.method().family == MethodFamily::embedded_runge_kutta;
-    Health<T> health;
+    RingTurn<T> start;
+    bool started = false;
     const auto rate_at = [&](double time, const State<T>& at, State<T>& rate) {
-        const Health<T> here = evaluate(model, input_at(time), at, rate);
-        if (!trials || time == t) health.include(here);
+        const RingTurn<T> turn = evaluate(model, input_at(time), at, rate);
+        if (!started) {
+            start = turn;
+        } else if (!trials) {
+            start.health.include(turn.health);
+        }
+        started = true;
     };
     integrator.advance(rate_at, t, state);
-    if (model.constraints == ConstraintMode::exact) close_loops(model, input_at(t + integrator.step()).rack, state, 1);
+    if (model.constraints == ConstraintMode::exact) add_closing(model, start, state);
     if (model.chart == ChassisChart::quaternion) normalize_orientation(state);
-    return health;
+    return start.health;
 }
 
 }  // namespace hamilcar

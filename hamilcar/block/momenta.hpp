@@ -89,16 +89,24 @@ HAMILCAR_CORE Spatial<T> tire_wrench(const Spoke<T>& spoke, const RoadPlane<T>& 
     });
 }
 
-// Spin equation of the wheel: p_s' = torque of the tire about the axis + drive + brake.
-template <class T>
-HAMILCAR_CORE void wheel_momenta(const Spoke<T>& spoke, const SpokeState<const T>& state, const T& brake_command,
-                                 SpokeForces<T>& f, SpokeMomenta<T>& out) {
-    const auto brake = spoke.brake.evaluate(brake_command, f.spin, state.brake_windup);
+// Everything about the wheel: the tire, and the spin equation p_s' = torque of the tire about the axis + drive + brake.
+// Returns the tire's wrench. The wheels come first and together, since a tire is a chain of roots and quotients that
+// another wheel's can run beside.
+template <Account account, class T, class Kind>
+HAMILCAR_CORE Spatial<T> wheel_momenta(const Spoke<T>& spoke, const SpokeVelocity<T, Kind>& at,
+                                       const SpokeState<const T>& state, const Input<T>& input,
+                                       const RoadPlane<T>& road, SpokeMomenta<T>& out) {
+    SpokeForces<T> scratch;
+    SpokeForces<T>& f = account == Account::full ? out.forces : scratch;
+    const Spatial<T> wrench = tire_wrench<T>(spoke, road, at.wheel_center, at.spin_axis, at.motion, state, f);
+    const auto brake = spoke.brake.evaluate(input.brake, f.spin, state.brake_windup);
+    f.drive_torque = spoke.drive_share * input.drive_torque;
     f.brake_torque = brake.torque;
     out.windup_rate = brake.windup_rate;
     out.deflection_x_rate = f.tire.u_rate;
     out.deflection_y_rate = f.tire.v_rate;
     out.spin_momentum_rate = f.tire_spin_torque + f.drive_torque + f.brake_torque;
+    return wrench;
 }
 
 // Power that is not in the potential, without the drift terms.
@@ -130,25 +138,23 @@ HAMILCAR_CORE auto travel_line(const T& travel, const Vec3<T>& center, const Pos
     return line;
 }
 
-// Rates of one spoke's numbers, the anti-roll bars pulling with `bar`.
+// Rates of one spoke's linkage, its tire pushing with `tire` and the anti-roll bars with `bar`.
 template <Account account, class T, class Kind>
 HAMILCAR_CORE SpokeShare<T> spoke_momenta(const Spoke<T>& spoke, const Kind& suspension,
                                           const SpokeVelocity<T, Kind>& at, const SpokeState<const T>& state,
-                                          const Input<T>& input, const Surroundings<T>& world, const T& bar,
-                                          SpokeMomenta<T>& out) {
+                                          const Input<T>& input, const Surroundings<T>& world, const Spatial<T>& tire,
+                                          const T& bar, SpokeMomenta<T>& out) {
     constexpr int nV = Kind::Linkage::nV, nW = Kind::Linkage::nW;
     const auto rates = suspension.linkage.rates(at.position, at.V_rate, input.rack);
     Spatial<T> h = at.inertia * at.motion;
     angular(h) += at.spin_momentum;
 
-    SpokeForces<T> f;
+    SpokeForces<T> scratch;
+    SpokeForces<T>& f = account == Account::full ? out.forces : scratch;
     f.bar = bar;
     f.travel = wheel_travel(spoke, at);
-    f.drive_torque = spoke.drive_share * input.drive_torque;
     const Spatial<T> weight = spatial<T>(world.gravity * at.inertia.mass, at.inertia.moment.cross(world.gravity));
-    const Spatial<T> external =
-        weight + tire_wrench<T>(spoke, world.road, at.wheel_center, at.spin_axis, at.motion, state, f);
-    wheel_momenta(spoke, state, input.brake, f, out);
+    const Spatial<T> external = weight + tire;
 
     const auto spring = suspension.spring_line(at.position, state.independent);
     const auto damper = suspension.damper_line(at.position, state.independent);
@@ -160,7 +166,7 @@ HAMILCAR_CORE SpokeShare<T> spoke_momenta(const Spoke<T>& spoke, const Kind& sus
     f.stop = spoke.bump.force(f.travel) - spoke.rebound.force(T(-f.travel));
 
     Spatial<T> Q = external;  // (55)
-    angular(Q) += at.spin_axis * f.drive_torque;
+    angular(Q) += at.spin_axis * (spoke.drive_share * input.drive_torque);
     const Spatial<T> carried = Q - cross_force<T>(world.hub, h);
     const Vector<T, nV> rate = at.position.J.transpose() * carried + rates.J.transpose() * h +  // (71)
                                f.spring * spring.gradient + f.damper * damper.gradient +
@@ -173,7 +179,6 @@ HAMILCAR_CORE SpokeShare<T> spoke_momenta(const Spoke<T>& spoke, const Kind& sus
     T& work_rate = share.back();
     work_rate = T(0);
     if constexpr (account == Account::full) {
-        out.forces = f;
         work_rate = lost_power(f, at.spin_axis, at.motion, world.hub);
         if constexpr (Kind::Linkage::Position::drifts) {
             const auto x_rate = suspension.linkage.drift_rate(at.position, rates, input.rack, world.gain);
@@ -237,14 +242,23 @@ HAMILCAR_CORE Momenta<T, S> momenta_block_of(const Model<T>& model, const State<
     const std::array<T, max_spokes> bars = anti_roll_forces(vehicle, velocity);
     const Surroundings<S> around = abreast<S>(world);
     const Input<S> inputs{abreast<S>(input.rack), S(input.drive_torque), S(input.brake)};
+    std::array<Spatial<S>, max_spokes> tires;
+    vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
+        const RowState<S> numbers = gather_row<S>(state, row.index);
+        visit_spoke(row.spokes, velocity, i, [&](const Spoke<S>& spoke, const auto&, const auto& at) HAMILCAR_INLINED {
+            tires[i] =
+                wheel_momenta<account>(spoke, at, spoke_view(numbers.data()), inputs, around.road, out.spokes[i]);
+        });
+    });
     PlaceSum<T, S, std::tuple_size_v<SpokeShare<S>>> sum;
     vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
         const RowState<S> numbers = gather_row<S>(state, row.index);
         visit_spoke(row.spokes, velocity, i,
                     [&](const Spoke<S>& spoke, const auto& suspension, const auto& at) HAMILCAR_INLINED {
-                        sum.add(spoke_momenta<account>(spoke, suspension, at, spoke_view(numbers.data()), inputs,
-                                                       around, from_places<S>(bars, row.index), out.spokes[i]),
-                                row);
+                        sum.add(
+                            spoke_momenta<account>(spoke, suspension, at, spoke_view(numbers.data()), inputs, around,
+                                                   tires[i], from_places<S>(bars, row.index), out.spokes[i]),
+                            row);
                     });
     });
     const SpokeShare<T> spokes = sum.total();

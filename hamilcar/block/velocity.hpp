@@ -87,6 +87,17 @@ decltype(auto) visit_spoke(const Vehicle<T>& vehicle, VelocityRef& velocity, int
 template <class S>
 using CondensedSpoke = std::array<S, 21 + 6>;
 
+// Calls f(row, column, number) for the lower triangle of a 6x6 matrix, column by column.
+template <class F>
+HAMILCAR_CORE void for_each_lower(F&& f) {
+    std::size_t next = 0;
+#pragma GCC unroll 6
+    for (int j = 0; j < 6; ++j) {
+#pragma GCC unroll 6
+        for (int i = j; i < 6; ++i) f(i, j, next++);
+    }
+}
+
 // Positions, inertia and condensed momentum of one spoke.
 template <class S, class Kind>
 HAMILCAR_CORE CondensedSpoke<S> condense_spoke(const Spoke<S>& spoke, const Kind& suspension,
@@ -112,16 +123,11 @@ HAMILCAR_CORE CondensedSpoke<S> condense_spoke(const Spoke<S>& spoke, const Kind
 
     const Matrix<S, 6, nV> condensed = out.MJ * out.m_inverse;
     Matrix<S, 6, 6> K;
-    for (int j = 0; j < 6; ++j) {
-        for (int i = j; i < 6; ++i) K(i, j) = -condensed.row(i).dot(out.MJ.row(j));
-    }
+    for_each_lower([&](int i, int j, std::size_t) HAMILCAR_INLINED { K(i, j) = -condensed.row(i).dot(out.MJ.row(j)); });
     out.inertia.add_to_lower(K);
     CondensedSpoke<S> share;
-    std::size_t next = 0;
-    for (int j = 0; j < 6; ++j) {
-        for (int i = j; i < 6; ++i) share[next++] = K(i, j);
-    }
-    for (int j = 0; j < 6; ++j) share[next++] = carried[j] + condensed.row(j).dot(out.k);
+    for_each_lower([&](int i, int j, std::size_t k) HAMILCAR_INLINED { share[k] = K(i, j); });
+    for (std::size_t j = 0; j < 6; ++j) share[21 + j] = carried[j] + condensed.row(j).dot(out.k);
     return share;
 }
 
@@ -146,21 +152,18 @@ template <class T>
 HAMILCAR_CORE Spatial<T> solve_hub(const SpatialInertia<T>& chassis, const Spatial<T>& momentum,
                                    const CondensedSpoke<T>& spokes) {
     Matrix<T, 6, 6> K;
-    std::size_t next = 0;
-    for (int j = 0; j < 6; ++j) {
-        for (int i = j; i < 6; ++i) K(i, j) = spokes[next++];
-    }
+    for_each_lower([&](int i, int j, std::size_t k) HAMILCAR_INLINED { K(i, j) = spokes[k]; });
     chassis.add_to_lower(K);
     Spatial<T> rest;
-    for (int j = 0; j < 6; ++j) rest[j] = momentum[j] - spokes[next++];
-    return solve_positive_definite<T, 6>(K, rest);
+    for (std::size_t j = 0; j < 6; ++j) rest[j] = momentum[j] - spokes[21 + j];
+    return solve_positive_definite<T>(K, rest);
 }
 
 template <class S, class T>
 HAMILCAR_CORE Velocity<T, S> velocity_block_of(const Model<T>& model, const State<T>& state, const Input<T>& input) {
     Velocity<T, S> out;
     const Vehicle<T>& vehicle = model.vehicle;
-    with_chart(model, [&](auto chart) {
+    with_chart(model, [&](auto chart) HAMILCAR_INLINED {
         const Vector<T, 4> orientation = state.orientation();
         out.R_GC = chart.rotation(orientation);
         const Spatial<T> momentum = chart.momentum(orientation, state.momentum());

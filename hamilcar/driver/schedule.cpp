@@ -50,11 +50,4 @@ Schedule::Schedule(const ScenarioDescription& scenario, const SteeringDescriptio
     rack_ = Signal(scenario.steering, wheel ? steering.rack_per_revolution / (2 * std::numbers::pi) : 1.0);
 }
 
-Input<double> Schedule::operator()(double time) const {
-    const SignalValue<double> rack = rack_.at(time);
-    return {.rack = {rack.value, rack.rate, rack.acceleration},
-            .drive_torque = drive_.at(time).value,
-            .brake = brake_.at(time).value};
-}
-
 }  // namespace hamilcar

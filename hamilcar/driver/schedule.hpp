@@ -63,7 +63,12 @@ class Schedule {
 public:
     // Steering wheel angles become rack displacements by the vehicle's travel per revolution.
     Schedule(const ScenarioDescription& scenario, const SteeringDescription& steering);
-    Input<double> operator()(double time) const;
+    HAMILCAR_CORE Input<double> operator()(double time) const {
+        const SignalValue<double> rack = rack_.at(time);
+        return {.rack = {rack.value, rack.rate, rack.acceleration},
+                .drive_torque = drive_.at(time).value,
+                .brake = brake_.at(time).value};
+    }
 
     const Signal& rack() const { return rack_; }
     const Signal& drive() const { return drive_; }

@@ -51,9 +51,25 @@ struct Hull {
     };
 
     // All points together, for the chassis moving with v_1.
-    Contact contact(const RoadPlane<T>& road, const Spatial<T>& hub) const {
+    HAMILCAR_CORE Contact contact(const RoadPlane<T>& road, const Spatial<T>& hub) const {
+        if (any(reaches(road))) [[unlikely]]
+            return pressed(road, hub);
+        return {Spatial<T>::Zero(), T(0)};
+    }
+
+    T potential(const RoadPlane<T>& road) const {
+        T sum(0);
+        for (const Vec3<T>& point : points) {
+            const T pressed = depth(road, point);
+            sum += T(0.5) * stiffness * pressed * pressed;
+        }
+        return sum;
+    }
+
+private:
+    // Out of line and by value: a car on its wheels keeps its numbers in registers.
+    [[gnu::noinline, gnu::pure]] Contact pressed(RoadPlane<T> road, Spatial<T> hub) const {
         Contact sum{Spatial<T>::Zero(), T(0)};
-        if (!any(reaches(road))) return sum;
         for (const Vec3<T>& point : points) {
             const T pressed = depth(road, point);
             if (!any(pressed > T(0))) continue;
@@ -65,15 +81,6 @@ struct Hull {
             const Vec3<T> force = road.normal * normal - slip * (friction * road.friction * normal / speed);
             sum.wrench += force_at<T>(point, force);
             sum.lost_power += force.dot(v) - elastic * rising;
-        }
-        return sum;
-    }
-
-    T potential(const RoadPlane<T>& road) const {
-        T sum(0);
-        for (const Vec3<T>& point : points) {
-            const T pressed = depth(road, point);
-            sum += T(0.5) * stiffness * pressed * pressed;
         }
         return sum;
     }

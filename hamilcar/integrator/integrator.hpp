@@ -5,6 +5,7 @@
 // estimate asks.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -19,17 +20,38 @@ template <class State>
 class Integrator {
 public:
     Integrator(const Method& method, double step, int size, double tolerance = 1e-8)
-        : method_(method), step_(step), size_(size), tolerance_(tolerance), substep_(step) {}
+        : method_(method), step_(step), size_(size), tolerance_(tolerance) {
+        memory_.remembered = memory_.newest = 0;
+        memory_.substep = step, memory_.converged = true;
+    }
 
     const Method& method() const { return method_; }
     double step() const { return step_; }
     // Forgets the past, as after a jump in the state.
-    void restart() { remembered_ = 0; }
+    void restart() { memory_.remembered = 0; }
     // False once the adaptive method could not meet its tolerance with any step.
-    bool converged() const { return converged_; }
+    bool converged() const { return memory_.converged; }
+    // Everything that later steps depend on: for going back. Only what the method uses is written and read.
+    struct Memory {
+        int remembered, newest;
+        double substep;
+        bool converged;
+        std::array<State, max_adams_order> past;
+        Memory() {}
+    };
+    void save(Memory& to) const {
+        to.remembered = memory_.remembered, to.newest = memory_.newest;
+        to.substep = memory_.substep, to.converged = memory_.converged;
+        copy_past(memory_, to);
+    }
+    void restore(const Memory& from) {
+        memory_.remembered = from.remembered, memory_.newest = from.newest;
+        memory_.substep = from.substep, memory_.converged = from.converged;
+        copy_past(from, memory_);
+    }
     // In lanes: what lane `from` remembers, also in lane `to`.
     void copy_lane(int from, int to) {
-        for (State& past : past_) {
+        for (State& past : memory_.past) {
             for (T& number : past.values) set_lane(number, to, lane(number, from));
         }
     }
@@ -44,19 +66,26 @@ public:
             case MethodFamily::embedded_runge_kutta:
                 // Lanes share their steps, an error estimate does not.
                 if constexpr (lane_count<T> == 1) return advance_adaptive(f, t, y);
-                converged_ = false;
+                memory_.converged = false;
         }
     }
 
 private:
+    void copy_past(const Memory& from, Memory& to) const {
+        for (int j = 0; j < std::min(from.remembered, method_.order); ++j) {
+            const std::size_t k = static_cast<std::size_t>((from.newest + method_.order - j) % method_.order);
+            std::copy_n(from.past[k].values.begin(), size_, to.past[k].values.begin());
+        }
+    }
+
     using T = typename decltype(State::values)::value_type;
 
     template <class F>
     void advance_adams(F& f, double t, State& y, bool corrected) {
-        newest_ = (newest_ + 1) % max_adams_order;
-        f(t, y, past_[newest_]);
-        if (remembered_ < method_.order) ++remembered_;
-        if (remembered_ < method_.order) return advance_runge_kutta(butcher_6, f, t, step_, y);
+        memory_.newest = (memory_.newest + 1) % method_.order;  // no more past than needed: it stays in the cache
+        f(t, y, memory_.past[memory_.newest]);
+        if (memory_.remembered < method_.order) ++memory_.remembered;
+        if (memory_.remembered < method_.order) return advance_runge_kutta(butcher_6, f, t, step_, y);
         if (!corrected) return add_past(adams_bashforth[method_.order - 1], 0, y, y);
 
         State predicted = y;
@@ -86,7 +115,7 @@ private:
         std::array<const T*, count> rate;
         std::array<T, count> weight;
         for (int j = 0; j < count; ++j) {
-            rate[j] = past_[(newest_ + max_adams_order - j) % max_adams_order].values.data();
+            rate[j] = memory_.past[(memory_.newest + method_.order - j) % method_.order].values.data();
             weight[j] = T(step_ * row[j + skip]);
         }
         for (int i = 0; i < size_; ++i) {
@@ -146,19 +175,19 @@ private:
         const double smallest = 1e-9 * step_;  // below it the method gives up
         double done = 0;
         while (done < step_) {
-            const bool last = substep_ >= step_ - done;
-            const double h = last ? step_ - done : substep_;
+            const bool last = memory_.substep >= step_ - done;
+            const double h = last ? step_ - done : memory_.substep;
             stages(dormand_prince, f, t + done, h, y);
             const double ratio = error_ratio(h, y);
             if (ratio <= 1) {
                 add_stages(dormand_prince.weights, dormand_prince.stages, h, y);
                 done = last ? step_ : done + h;
             } else if (h < smallest) {
-                converged_ = false;
+                memory_.converged = false;
                 return;
             }
             const double wanted = h * std::min(5.0, std::max(0.2, 0.9 * std::pow(std::max(ratio, 1e-10), -0.2)));
-            if (!last || wanted < substep_ || ratio > 1) substep_ = std::min(wanted, step_);
+            if (!last || wanted < memory_.substep || ratio > 1) memory_.substep = std::min(wanted, step_);
         }
     }
 
@@ -166,11 +195,7 @@ private:
     double step_;
     int size_;
     double tolerance_;
-    double substep_;
-    bool converged_ = true;
-    int remembered_ = 0;
-    int newest_ = 0;
-    std::array<State, max_adams_order> past_{};
+    Memory memory_;
     std::array<State, max_stages + 1> work_{};
 };
 

@@ -35,6 +35,7 @@ SolverDescription read_solver(const TableReader& table) {
                                               {"stabilized", ConstraintMode::stabilized});
     solver.chart =
         word<ChassisChart>(table, "chart", {"quaternion", ChassisChart::quaternion}, {"bryant", ChassisChart::bryant});
+    solver.energy_balance = table.boolean("energy_balance", solver.energy_balance);
     if (table.chosen({{"stabilization"}, {"stabilization_gain_per_s"}}) == 0) {
         solver.stabilization = word<StabilizationRule>(table, "stabilization", {"paper", StabilizationRule::paper},
                                                        {"limit", StabilizationRule::limit});

@@ -34,8 +34,8 @@ struct PointLine {
     template <class Position>
     HAMILCAR_CORE auto operator()(const Position& at, const T*) const {
         const Vec3<T> p = at.pose.point(carrier_point), d = p - chassis_point;
-        const T length = sqrt(d.squaredNorm());
-        return line_through<T>(length, p, Vec3<T>(d * (T(1) / length)), at);
+        const T square = d.squaredNorm();
+        return line_through<T>(sqrt(square), p, Vec3<T>(d * over_root(T(1), square)), at);
     }
 };
 

@@ -41,12 +41,13 @@ struct LinkagePosition {
     Matrix<T, 3, nW> gradients;      // of Phi with respect to P  // (26), A.3
     std::array<Vec3<T>, cuts> arms;  // r of each cut joint
     Matrix<T, nW, nW> Phi_w_inverse;
-    T determinant;        // of Phi_w: zero where the linkage locks
-    Matrix<T, nW, nV> H;  // (39)
-    Vector<T, nW> X;      // (39)
-    Matrix<T, 6, nV> J;   // B_V + B_W H  // (43)
-    Spatial<T> x;         // B_W X  // (43)
-    LinkagePosition() {}  // leaves the numbers unset: every one is written by `position`
+    T determinant;          // of Phi_w: zero where the linkage locks
+    Matrix<T, nW, nV> H;    // (39)
+    Vector<T, nW> X;        // (39)
+    Vector<T, nW> closing;  // of W: -Phi_w^-1 Phi
+    Matrix<T, 6, nV> J;     // B_V + B_W H  // (43)
+    Spatial<T> x;           // B_W X  // (43)
+    LinkagePosition() {}    // leaves the numbers unset: every one is written by `position`
 };
 
 template <class T, class JointList, class CutList, class IndependentList, class DependentList>
@@ -69,7 +70,7 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
     static constexpr auto dependent_indices() { return Dependent::index; }
 
     // The point of the first joint: its columns turn about it. A linkage that starts with a translation has no such point.
-    Vec3<T> anchor() const {
+    HAMILCAR_CORE Vec3<T> anchor() const {
         if constexpr (requires { std::get<0>(joints).point; }) {
             return std::get<0>(joints).point;
         } else {
@@ -78,8 +79,7 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
     }
 
     using Outward = OutwardOrder<Joints...>;
-    using Columns = typename decltype(place_tree(std::tuple<Joints...>(), ChassisFrame<T>(), (const T*)nullptr,
-                                                 Vec3<T>()))::second_type;
+    using Columns = typename TreeColumns<T, Joints...>::type;
     using Position = LinkagePosition<T, Columns, nV, nW, cut_count>;
     using ColumnRates = typename decltype(carry_tree<Outward>(Rest(), Columns(), (const T*)nullptr))::second_type;
 
@@ -101,7 +101,7 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
     // The same, written where it is kept.
     HAMILCAR_CORE void find_position(const T* V, const T* W, const RackMotion<T>& rack, const T& alpha,
                                      Position& out) const {
-        std::tie(out.pose, out.B) = place_tree(joints, ChassisFrame<T>{}, coordinates(V, W).data(), anchor());
+        out.pose = place_tree(joints, ChassisFrame<T>{}, coordinates(V, W).data(), anchor(), out.B);
         if constexpr (nW == 0) {
             out.determinant = T(1);
             out.x.setZero();
@@ -120,7 +120,7 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
     HAMILCAR_CORE void newton_step(const T* V, T* W, const RackMotion<T>& rack) const {
         if constexpr (nW > 0) {
             Position at;
-            std::tie(at.pose, at.B) = place_tree(joints, ChassisFrame<T>{}, coordinates(V, W).data(), anchor());
+            at.pose = place_tree(joints, ChassisFrame<T>{}, coordinates(V, W).data(), anchor(), at.B);
             close_loops(rack, at);
             const Vector<T, nW> correction = inverse<T>(Phi_columns<Dependent>(at)).matrix * at.Phi;
             for (int i = 0; i < nW; ++i) W[i] -= correction[i];
@@ -175,13 +175,11 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
     // Visits the cut joints in order: visit(cut joint, its first equation, its number).
     template <class Visitor>
     HAMILCAR_CORE void visit_cuts(Visitor&& visit) const {
-        std::apply(
-            [&](const auto&... cut) {
-                [[maybe_unused]] int row = 0;
-                [[maybe_unused]] std::size_t index = 0;
-                ((visit(cut, row, index), row += std::decay_t<decltype(cut)>::equations, ++index), ...);
-            },
-            cuts);
+        [&]<std::size_t... i>(std::index_sequence<i...>) HAMILCAR_INLINED {
+            [[maybe_unused]] int row = 0;
+            ((visit(std::get<i>(cuts), row, i), row += std::tuple_element_t<i, decltype(cuts)>::equations), ...);
+        }
+        (std::make_index_sequence<std::tuple_size_v<decltype(cuts)>>());
     }
 
 private:
@@ -199,7 +197,7 @@ private:
 
     template <class F>
     HAMILCAR_CORE static void for_each_independent(F&& f) {
-        [&]<int... j>(std::integer_sequence<int, j...>) {
+        [&]<int... j>(std::integer_sequence<int, j...>) HAMILCAR_INLINED {
             (f(std::integral_constant<int, j>{}), ...);
         }
         (std::make_integer_sequence<int, nV>());
@@ -239,7 +237,7 @@ private:
         visit_cuts([&](const auto& cut, int row, std::size_t i) HAMILCAR_INLINED {
             for (int k = row; k < row + std::decay_t<decltype(cut)>::equations; ++k) {
                 const Vec3<T> g = at.gradients.col(k), moment = at.arms[i].cross(g);
-                [&]<std::size_t... j>(std::index_sequence<j...>) {
+                [&]<std::size_t... j>(std::index_sequence<j...>) HAMILCAR_INLINED {
                     ((out(k, j) = add(dot(g, std::get<Picked::index[j]>(at.B).linear),
                                       dot(moment, std::get<Picked::index[j]>(at.B).angular))),
                      ...);
@@ -256,6 +254,7 @@ private:
         out.determinant = inverted.determinant;
         out.H = -(out.Phi_w_inverse * Phi_columns<Independent>(out));               // (39)
         out.X = -(out.Phi_w_inverse * (driven_rate(out, rack) + alpha * out.Phi));  // (27), (39)
+        out.closing = -(out.Phi_w_inverse * out.Phi);
     }
 
     // Phi_t = -g.u rack'; the paper prints the opposite sign.
@@ -278,7 +277,7 @@ private:
             const auto P_J = velocity_of(motion, r);
             const auto bent = add(cross(motion.angular, P_rate), velocity_of(rate, r));
             const auto g_rates = cut.gradient_rates(P_rate, rack.rate);
-            [&]<std::size_t... k>(std::index_sequence<k...>) {
+            [&]<std::size_t... k>(std::index_sequence<k...>) HAMILCAR_INLINED {
                 ((out[row + static_cast<int>(k)] = add(dot(Vec3<T>(at.gradients.col(row + static_cast<int>(k))), bent),
                                                        dot(std::get<k>(g_rates), P_J))),
                  ...);

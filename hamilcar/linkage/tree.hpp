@@ -10,17 +10,32 @@
 
 namespace hamilcar {
 
-// The carrier and the columns of a chain of joints, from `parent` on; q in the order of the joints.
-template <std::size_t I = 0, int first = 0, class T, class Parent, class... Joints>
-HAMILCAR_CORE auto place_tree(const std::tuple<Joints...>& joints, const Parent& parent, const T* q,
-                              const Vec3<T>& anchor) {
+// The columns of a chain whose first joint stands on the chassis, as a tuple of their types.
+template <class T, class... Joints>
+struct TreeColumns;
+template <class T, class First, class... Further>
+struct TreeColumns<T, First, Further...> {
+    template <class Joint, class Parent>
+    using Placed = decltype(std::declval<Joint>().place(Parent{}, std::declval<const T*>(), Vec3<T>{}).columns);
+    using type = decltype(std::tuple_cat(std::declval<Placed<First, ChassisFrame<T>>>(),
+                                         std::declval<Placed<Further, Pose<T>>>()...));
+};
+
+// The carrier's pose; the columns of the chain of joints from `parent` on are written where they are kept, as soon as they
+// are known. q in the order of the joints.
+template <std::size_t I = 0, int first = 0, class T, class Parent, class... Joints, class Columns>
+HAMILCAR_CORE Pose<T> place_tree(const std::tuple<Joints...>& joints, const Parent& parent, const T* q,
+                                 const Vec3<T>& anchor, Columns& columns) {
+    constexpr int count = std::tuple_element_t<I, std::tuple<Joints...>>::coordinates;
     const auto placed = std::get<I>(joints).place(parent, q + first, anchor);
+    [&]<std::size_t... k>(std::index_sequence<k...>) HAMILCAR_INLINED {
+        ((std::get<static_cast<std::size_t>(first) + k>(columns) = std::get<k>(placed.columns)), ...);
+    }
+    (std::make_index_sequence<count>());
     if constexpr (I + 1 == sizeof...(Joints)) {
-        return std::pair(placed.child, placed.columns);
+        return placed.child;
     } else {
-        constexpr int next = first + std::tuple_element_t<I, std::tuple<Joints...>>::coordinates;
-        const auto further = place_tree<I + 1, next>(joints, placed.child, q, anchor);
-        return std::pair(further.first, std::tuple_cat(placed.columns, further.second));
+        return place_tree<I + 1, first + count>(joints, placed.child, q, anchor, columns);
     }
 }
 

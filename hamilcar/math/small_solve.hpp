@@ -6,33 +6,6 @@
 
 namespace hamilcar {
 
-// Solves K x = b for symmetric positive definite K, of which only the lower triangle is read: K = L D L^T.
-template <class T, int N>
-HAMILCAR_CORE Vector<T, N> solve_positive_definite(Matrix<T, N, N> K, Vector<T, N> b) {
-    Vector<T, N> inverse_pivot;
-#pragma GCC unroll 8
-    for (int j = 0; j < N; ++j) {
-        inverse_pivot[j] = T(1) / K(j, j);
-#pragma GCC unroll 8
-        for (int i = j + 1; i < N; ++i) {
-            const T l = K(i, j) * inverse_pivot[j];
-#pragma GCC unroll 8
-            for (int k = j + 1; k <= i; ++k) K(i, k) -= l * K(k, j);
-            b[i] -= l * b[j];
-        }
-    }
-    // K's strict lower triangle now holds L D column by column.
-    Vector<T, N> x;
-#pragma GCC unroll 8
-    for (int j = N - 1; j >= 0; --j) {
-        T sum = b[j];
-#pragma GCC unroll 8
-        for (int i = j + 1; i < N; ++i) sum -= K(i, j) * x[i];
-        x[j] = sum * inverse_pivot[j];
-    }
-    return x;
-}
-
 // Inverse and determinant of a small general matrix by cofactors, for the sizes that linkages have (N = 1 and 3).
 template <class T, int N>
 struct Inverse {
@@ -53,6 +26,38 @@ HAMILCAR_CORE Inverse<T, 3> inverse(const Matrix<T, 3, 3>& A) {
     Matrix<T, 3, 3> result;
     result.row(0) = bc * scale, result.row(1) = ca * scale, result.row(2) = ab * scale;
     return {result, determinant};
+}
+
+// The inverse of a symmetric one, of which only the lower triangle is read.
+template <class T>
+HAMILCAR_CORE Mat3<T> symmetric_inverse(const Mat3<T>& A) {
+    const T &a = A(0, 0), &b = A(1, 0), &c = A(2, 0), &d = A(1, 1), &e = A(2, 1), &f = A(2, 2);
+    const T xx = d * f - e * e, xy = c * e - b * f, xz = b * e - c * d;
+    const T scale = T(1) / (a * xx + (b * xy + c * xz));
+    Mat3<T> X;
+    X(0, 0) = xx * scale, X(1, 1) = (a * f - c * c) * scale, X(2, 2) = (a * d - b * b) * scale;
+    X(0, 1) = X(1, 0) = xy * scale;
+    X(0, 2) = X(2, 0) = xz * scale;
+    X(1, 2) = X(2, 1) = (b * c - a * e) * scale;
+    return X;
+}
+
+// Solves K x = b for a symmetric positive definite 6x6 matrix, of which only the lower triangle is read, by blocks of
+// 3x3: two divisions that wait for each other in place of six.
+template <class T>
+HAMILCAR_CORE Vector<T, 6> solve_positive_definite(const Matrix<T, 6, 6>& K, const Vector<T, 6>& b) {
+    const Mat3<T> A_inverse = symmetric_inverse<T>(K.template topLeftCorner<3, 3>());
+    const Mat3<T> B = K.template bottomLeftCorner<3, 3>(), BA = B * A_inverse;
+    const Vec3<T> b_1 = b.template head<3>(), b_2 = b.template tail<3>();
+    Mat3<T> C;  // the Schur complement
+    for (int j = 0; j < 3; ++j) {
+        for (int i = j; i < 3; ++i) C(i, j) = K(3 + i, 3 + j) - BA.row(i).dot(B.row(j));
+    }
+    const Vec3<T> x_2 = symmetric_inverse<T>(C) * Vec3<T>(b_2 - BA * b_1);
+    Vector<T, 6> x;
+    x.template head<3>() = A_inverse * b_1 - BA.transpose() * x_2;
+    x.template tail<3>() = x_2;
+    return x;
 }
 
 }  // namespace hamilcar

@@ -20,7 +20,7 @@ RunSummary record(Simulation& simulation, const std::vector<Channel>& channels, 
         summary.worst_opening = std::max(summary.worst_opening, sample.violation);
         summary.largest_kinetic_energy = std::max(summary.largest_kinetic_energy, sample.energy.kinetic);
         const double drift = std::abs(sample.energy.balance() - simulation.initial_energy_balance());
-        summary.worst_energy_drift = std::max(summary.worst_energy_drift, drift);
+        summary.worst_energy_drift = std::isnan(drift) ? drift : std::max(summary.worst_energy_drift, drift);
         on_row(sample, row);
     };
     write_row();

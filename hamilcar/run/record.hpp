@@ -17,7 +17,7 @@ struct RunSummary {
     std::optional<std::string> ended_early;  // why
     bool interrupted = false;
     double worst_opening = 0;           // of a cut joint, at the samples [m]
-    double worst_energy_drift = 0;      // of the energy balance, at the samples [J]
+    double worst_energy_drift = 0;      // of the energy balance, at the samples; NaN if none is kept [J]
     double largest_kinetic_energy = 0;  // what to compare the drift with [J]
     double real_time_factor() const { return wall_time > 0 ? duration / wall_time : 0; }
 };

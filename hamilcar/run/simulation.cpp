@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "hamilcar/engine/library.hpp"
 #include "hamilcar/integrator/stabilization.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/math/convert.hpp"
@@ -38,7 +41,8 @@ Model<double> make_model(const VehicleDescription& vehicle, const ScenarioDescri
             .road = PlaneRoad<double>(scenario.road.grade, scenario.road.bank, scenario.road.friction),
             .chart = scenario.solver.chart,
             .constraints = scenario.solver.constraints,
-            .stabilization_gain = require_gain(scenario.solver)};
+            .stabilization_gain = require_gain(scenario.solver),
+            .energy_balance = scenario.solver.energy_balance};
 }
 
 // An input that nothing in the car listens to is a mistake in the scenario or in the vehicle.
@@ -88,6 +92,7 @@ Simulation::Simulation(VehicleDescription vehicle, ScenarioDescription scenario)
     : vehicle_(std::move(vehicle)),
       scenario_(std::move(scenario)),
       model_(make_model(vehicle_, scenario_)),
+      engine_(&best_engine()),
       schedule_(scenario_, vehicle_.steering),
       integrator_(require_method(scenario_.solver), scenario_.solver.step,
                   State<double>::size(model_.vehicle.spoke_count()), scenario_.solver.tolerance),
@@ -134,7 +139,7 @@ void Simulation::start() {
 
 std::optional<End> Simulation::advance() {
     const State<double> last_good = state_;
-    const Health<double> health = integration_block(model_, integrator_, schedule_, time(), state_);
+    const Health<double> health = engine_->advance_car(model_, integrator_, schedule_, time(), state_);
     const std::string problem = inspect(health);
     if (problem.empty()) {
         ++step_count_;
@@ -143,6 +148,18 @@ std::optional<End> Simulation::advance() {
     state_ = last_good;
     return End{time(), fmt::format("at t = {:.6g} s: {}; the results end at t = {:.6g} s", time() + integrator_.step(),
                                    problem, time())};
+}
+
+void Simulation::save(Snapshot& to) const {
+    to.step_count = step_count_;
+    std::copy_n(state_.values.begin(), State<double>::size(model_.vehicle.spoke_count()), to.state.values.begin());
+    integrator_.save(to.memory);
+}
+
+void Simulation::restore(const Snapshot& from) {
+    step_count_ = from.step_count;
+    std::copy_n(from.state.values.begin(), State<double>::size(model_.vehicle.spoke_count()), state_.values.begin());
+    integrator_.restore(from.memory);
 }
 
 // What is wrong after a step, or nothing: all numbers finite, loops closed, linkages free.
@@ -203,6 +220,7 @@ Sample Simulation::sample() const {
              .mobility = 1};
     s.momenta = momenta_block(model_, state_, input, s.velocity);
     s.energy = energy(model_, state_, s.velocity, s.momenta);
+    if (!model_.energy_balance) s.energy.work = std::numeric_limits<double>::quiet_NaN();  // nobody kept it
     for (int i = 0; i < model_.vehicle.spoke_count(); ++i) {
         const LoopReport loop = inspect_loops(model_, input.rack, state_, i);
         s.violation = std::max(s.violation, loop.opening);

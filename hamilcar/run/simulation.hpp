@@ -4,12 +4,14 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 
 #include "hamilcar/analysis/energy.hpp"
 #include "hamilcar/block/equilibrium.hpp"
 #include "hamilcar/block/initial_process.hpp"
 #include "hamilcar/block/integration.hpp"
 #include "hamilcar/driver/schedule.hpp"
+#include "hamilcar/engine/engine.hpp"
 
 namespace hamilcar {
 
@@ -33,6 +35,16 @@ struct End {
     std::string message;  // for a person
 };
 
+// A place in a run to come back to: the numbers that the rest of the run depends on. A plain copy, and one without
+// allocation; of its 9 kB only what the car and the method use is ever touched.
+struct Snapshot {
+    long step_count;
+    State<double> state;
+    Integrator<State<double>>::Memory memory;
+    Snapshot() {}
+};
+static_assert(std::is_trivially_copyable_v<Snapshot>);
+
 class Simulation {
 public:
     // Runs the Initial Process. Throws io::Error: bad_file where scenario and vehicle do not fit together (unknown
@@ -46,6 +58,13 @@ public:
 
     // One step; the reason if the run cannot go on. The state is then the last good one.
     std::optional<End> advance();
+
+    // Going back: a run that is restored and advanced again computes the same bits. The snapshot must be of this
+    // Simulation, or of one with the same vehicle and the same method.
+    void save(Snapshot& to) const;
+    void restore(const Snapshot& from);
+    // Another driver from now on, as a predictive controller tries one after the other.
+    void set_schedule(const Schedule& schedule) { schedule_ = schedule; }
 
     Sample sample() const;
     const Model<double>& model() const { return model_; }
@@ -65,6 +84,7 @@ private:
     VehicleDescription vehicle_;
     ScenarioDescription scenario_;
     Model<double> model_;
+    const Engine* engine_;
     Schedule schedule_;
     Integrator<State<double>> integrator_;
     State<double> state_;

@@ -7,6 +7,7 @@
 #include <xsimd/xsimd.hpp>
 
 #include <array>
+#include <utility>
 
 #include "hamilcar/scalar/scalar.hpp"
 
@@ -67,9 +68,10 @@ struct Pack {
         : value(static_cast<T>(same)) {}
     HAMILCAR_CORE explicit Pack(const Value& lanes) : value(lanes) {}
     HAMILCAR_CORE explicit Pack(const std::array<T, N>& lanes) {
-        typename Value::register_type all{};  // indexed: the compiler's own vectors need no way through memory
-        for (std::size_t i = 0; i < N; ++i) all[i] = lanes[i];
-        value = all;
+        [&]<std::size_t... i>(std::index_sequence<i...>) HAMILCAR_INLINED {
+            value = typename Value::register_type{lanes[i]...};  // of the compiler's own vectors: no way through memory
+        }
+        (std::make_index_sequence<N>());
     }
 
     HAMILCAR_CORE friend Pack operator+(const Pack& a, const Pack& b) { return Pack(a.value + b.value); }

@@ -53,6 +53,12 @@ HAMILCAR_CORE T clamp(const T& x, const T& low, const T& high) {
     return min(max(x, low), high);
 }
 
+// a / sqrt(x); the root and the quotient side by side, since either keeps the next operation waiting.
+template <class T>
+HAMILCAR_CORE T over_root(const T& a, const T& x) {
+    return sqrt(x) * (a / x);
+}
+
 // The plain number behind a scalar, for decisions outside a step.
 inline double value_of(double x) {
     return x;

@@ -49,21 +49,36 @@ HAMILCAR_CORE T polynomial(const Coefficient (&c)[n], const T& z) {
 
 }  // namespace detail
 
+// Of angles within [-pi/4, pi/4].
 template <class T>
-HAMILCAR_CORE SineCosine<T> sincos(const T& angle) {
+HAMILCAR_CORE SineCosine<T> sincos_of_reduced(const T& x) {
+    using C = detail::SineCosineConstants<std::conditional_t<std::is_same_v<Element<T>, float>, float, double>>;
+    const T z = x * x;
+    return {x + x * z * detail::polynomial(C::sine, z), T(1) - (T(0.5) * z - z * z * detail::polynomial(C::cosine, z))};
+}
+
+// Of any angle. By value and out of line: where it is not called, nothing has to lie in memory for it.
+template <class T>
+[[gnu::noinline, gnu::const]] SineCosine<T> sincos_with_reduction(T angle) {
     using C = detail::SineCosineConstants<std::conditional_t<std::is_same_v<Element<T>, float>, float, double>>;
     const T big(C::round);
     const T turns = (angle * T(0.636619772367581343076) + big) - big;  // quarter turns
     const T x = ((angle - turns * T(C::half_pi[0])) - turns * T(C::half_pi[1])) - turns * T(C::half_pi[2]);
-    const T z = x * x;
-    const T s = x + x * z * detail::polynomial(C::sine, z);
-    const T c = T(1) - (T(0.5) * z - z * z * detail::polynomial(C::cosine, z));
+    const auto [s, c] = sincos_of_reduced(x);
     // turns modulo 4 as one of -2, -1, 0, 1, 2
     const T quarter = turns - T(4) * ((turns * T(0.25) + big) - big);
     const auto odd = abs(quarter) == T(1);
     const T sine = select(odd, c, s), cosine = select(odd, s, c);
     return {select(quarter < T(0) || quarter == T(2), T(-sine), sine),
             select(quarter == T(1) || abs(quarter) == T(2), T(-cosine), cosine)};
+}
+
+// Linkages mostly turn by less than an eighth of a turn, and there the reduction would not change a bit.
+template <class T>
+HAMILCAR_CORE SineCosine<T> sincos(const T& angle) {
+    if (any(!(abs(angle) <= T(0.78)))) [[unlikely]]
+        return sincos_with_reduction(angle);
+    return sincos_of_reduced(angle);
 }
 
 }  // namespace hamilcar

@@ -54,8 +54,8 @@ HAMILCAR_CORE ContactFrame<T> contact_frame(const RoadPlane<T>& road, const Vec3
                                             const T& radius) {
     const Vec3<T>& n = road.normal;
     const T s = n.dot(axis);
-    const T c = sqrt(max(T(1) - s * s, T(1e-6)));  // a wheel lying flat keeps a direction
-    const T inverse_c = T(1) / c, reach = radius * inverse_c;
+    const T cc = max(T(1) - s * s, T(1e-6));  // a wheel lying flat keeps a direction
+    const T c = sqrt(cc), inverse_c = over_root(T(1), cc), reach = radius * inverse_c;
     ContactFrame<T> f;
     f.normal = n;
     f.longitudinal = axis.cross(n) * inverse_c;

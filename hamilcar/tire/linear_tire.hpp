@@ -56,7 +56,7 @@ struct LinearTire {
         // of the force turns from the elastic one to that of sliding, against the slip velocity.
         const T k_x = c.u * curvature_x, k_y = c.v * curvature_y;
         const T elastic_x = slip_stiffness * k_x, elastic_y = c_y * k_y;
-        const T sticking = min(T(1), mu / sqrt(elastic_x * elastic_x + elastic_y * elastic_y + T(1e-30)));
+        const T sticking = min(T(1), over_root(mu, T(elastic_x * elastic_x + elastic_y * elastic_y + T(1e-30))));
         const T transport = abs(c.v_x) + T(return_speed) * (T(1) - sticking);
         const T u_rate = -c.v_sx - transport * k_x;
         const T v_rate = -c.v_sy - transport * k_y;
@@ -64,8 +64,8 @@ struct LinearTire {
         const T own = max(T(2) * sticking - T(1), T(0)), common = max(slip_stiffness, c_y) * (T(1) - own);
         const T f_x = (own * slip_stiffness + common) * (k_x + carcass_damping * curvature_x * u_rate);
         const T f_y = (own * c_y + common) * (k_y + carcass_damping * curvature_y * v_rate);
-        const T limited = Fz * min(T(1), mu / sqrt(f_x * f_x + f_y * f_y + T(1e-30)));
-        const T resisting = c.omega / sqrt(c.omega * c.omega + T(1));
+        const T limited = Fz * min(T(1), over_root(mu, T(f_x * f_x + f_y * f_y + T(1e-30))));
+        const T resisting = over_root(c.omega, T(c.omega * c.omega + T(1)));
         return {.Fx = limited * f_x,
                 .Fy = limited * f_y,
                 .Fz = Fz,

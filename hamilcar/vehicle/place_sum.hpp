@@ -11,25 +11,29 @@ namespace hamilcar {
 template <class T, class S, std::size_t count>
 class PlaceSum {
 public:
-    PlaceSum() {
-        for (auto& place : sums_) place.fill(S(0));
-    }
+    using Share = std::array<S, count>;
 
     template <class Row>
-    HAMILCAR_CORE void add(std::array<S, count> share, const Row& row) {
+    HAMILCAR_CORE void add(const Share& share, const Row& row) {
         if constexpr (width == 1) {
-            auto& sum = sums_[static_cast<std::size_t>(row.place)];
-            for (std::size_t k = 0; k < count; ++k) sum[k] += share[k];
+            accumulate(static_cast<std::size_t>(row.place), share);
+        } else if (row.count == width) {
+            accumulate(0, share);
         } else {
+            Share own = share;
             for (int vacant = row.count; vacant < width; ++vacant) {
-                for (S& number : share) set_lane(number, vacant, T(0));
+                for (S& number : own) set_lane(number, vacant, T(0));
             }
-            for (std::size_t k = 0; k < count; ++k) sums_[0][k] += share[k];
+            accumulate(0, own);
         }
     }
 
-    HAMILCAR_CORE std::array<T, count> total() const {
+    HAMILCAR_CORE std::array<T, count> total() {
+        for (std::size_t place = 0; place < sums_.size(); ++place) {
+            if (!begun_[place]) sums_[place].fill(S(0));
+        }
         std::array<T, count> out;
+#pragma GCC unroll 32
         for (std::size_t k = 0; k < count; ++k) {
             if constexpr (width == 1) {
                 out[k] = sums_[0][k] + sums_[1][k];
@@ -43,7 +47,22 @@ public:
 private:
     static constexpr int width = row_width<S, T>;
     static_assert(width == 1 || width == places_abreast);
-    std::array<std::array<S, count>, width == 1 ? places_abreast : 1> sums_;
+
+    HAMILCAR_CORE void accumulate(std::size_t place, const Share& share) {
+        Share& sum = sums_[place];
+        if (begun_[place]) {
+#pragma GCC unroll 32
+            for (std::size_t k = 0; k < count; ++k) sum[k] += share[k];
+        } else {
+#pragma GCC unroll 32
+            for (std::size_t k = 0; k < count; ++k) sum[k] = share[k];
+            begun_[place] = true;
+        }
+    }
+
+    static constexpr std::size_t places = width == 1 ? places_abreast : 1;
+    std::array<Share, places> sums_;  // only what is begun has values
+    std::array<bool, places> begun_{};
 };
 
 }  // namespace hamilcar

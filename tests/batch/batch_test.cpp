@@ -9,7 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "hamilcar/batch/engine_library.hpp"
+#include "hamilcar/engine/library.hpp"
 #include "support/car.hpp"
 
 namespace hamilcar {

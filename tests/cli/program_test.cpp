@@ -269,6 +269,20 @@ TEST_F(Program, SaysThatTheDiskIsFullAndKeepsWhatIsThere) {
     EXPECT_EQ(contents(folder_ / "results/results.csv").substr(0, kept.size()), kept);
 }
 
+TEST_F(Program, TellsItsVersionAndItsEngine) {
+    const Outcome r = run("--version");
+    EXPECT_EQ(r.code, 0);
+    EXPECT_THAT(r.out, testing::MatchesRegex("hamilcar [0-9.]+\nengine: (x86-64-v[234]|baseline)\n"));
+}
+
+TEST_F(Program, KeepsNoEnergyBalanceThatNobodyWants) {
+    const Outcome r = run("run " + scenario_for(shipped, "[solver]\nenergy_balance = false\n") + " -o results");
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(r.err, "");
+    EXPECT_THAT(r.out, HasSubstr("no balance kept"));
+    EXPECT_THAT(contents(folder_ / "results/summary.json"), HasSubstr("\"worst_balance_error_J\": null"));
+}
+
 TEST_F(Program, StopsAtTheStepThatGoesBad) {
     const std::string vehicle =
         changed(car_file, "vertical_stiffness_N_per_m = 180e3", "vertical_stiffness_N_per_m = 180e9");

@@ -7,6 +7,7 @@
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/run/record.hpp"
 #include "hamilcar/run/stabilization_sweep.hpp"
+#include "support/allocation_guard.hpp"
 #include "support/car.hpp"
 
 namespace hamilcar {
@@ -118,6 +119,63 @@ TEST(AdaptiveMethod, GivesUpInsteadOfHangingWhereNothingIsFinite) {
     std::optional<End> end;
     while (!simulation.finished() && !end) end = simulation.advance();
     EXPECT_TRUE(end.has_value());
+}
+
+// Back by 100 ms and forward again: every bit as before, from the first steps of a method on, and after a detour with
+// another driver.
+TEST(Snapshot, ReplaysTheSameBits) {
+    for (const char* integrator : {"ab3", "abm4", "rk4", "dopri5"}) {
+        ScenarioDescription s = test::scenario(5, 20);
+        s.solver.integrator = integrator;
+        s.steering_input = SteeringInput::rack;
+        s.steering = test::table({0, 0.2, 0.5}, {0, 0.006, -0.002});
+        ScenarioDescription detour = s;
+        detour.steering = test::table({0, 0.3}, {0, -0.008});
+        Simulation simulation(test::shipped_car(), s);
+        const Schedule own = simulation.schedule(), other(detour, simulation.vehicle().steering);
+        const auto advance = [&] {
+            for (int i = 0; i < 100; ++i) ASSERT_FALSE(simulation.advance());
+        };
+        for (const int steps_before : {0, 1, 500}) {
+            while (simulation.steps_taken() < steps_before) ASSERT_FALSE(simulation.advance());
+            Snapshot here;
+            simulation.save(here);
+            advance();
+            const State<double> expected = simulation.state();
+            simulation.restore(here);
+            EXPECT_EQ(simulation.steps_taken(), steps_before);
+            simulation.set_schedule(other);
+            advance();
+            EXPECT_NE(simulation.state().values, expected.values) << integrator;
+            simulation.set_schedule(own);
+            simulation.restore(here);
+            advance();
+            EXPECT_EQ(simulation.state().values, expected.values) << integrator << " after " << steps_before;
+            simulation.restore(here);
+        }
+    }
+}
+
+TEST(Snapshot, AllocatesNothing) {
+    Simulation simulation(test::shipped_car(), test::scenario(1, 20));
+    for (int i = 0; i < 20; ++i) simulation.advance();
+    Snapshot here;
+    const test::AllocationGuard guard;
+    simulation.save(here);
+    simulation.restore(here);
+    EXPECT_EQ(guard.allocations(), 0);
+}
+
+TEST(EnergyBalance, IsSaidToBeMissingWhereNobodyKeepsIt) {
+    ScenarioDescription s = test::scenario(0.1, 20);
+    Simulation with(test::shipped_car(), s);
+    s.solver.energy_balance = false;
+    Simulation without(test::shipped_car(), s);
+    test::run_to_end(with), test::run_to_end(without);
+    EXPECT_TRUE(std::isnan(without.sample().energy.balance()));
+    State<double> same = with.state();
+    same.work() = without.state().work();
+    EXPECT_EQ(same.values, without.state().values);
 }
 
 // Fig. 9 on a short, hard maneuver: the violation is least inside the stable range, and beyond 6/11 the run is lost.

@@ -1,4 +1,4 @@
-#include "hamilcar/batch/engine_library.hpp"
+#include "hamilcar/engine/library.hpp"
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -14,6 +14,7 @@ namespace hamilcar {
 namespace {
 
 bool supported(std::string_view set) {
+    if (set == "baseline") return true;
 #if defined(__x86_64__)
     __builtin_cpu_init();
     const bool v2 =
@@ -31,7 +32,7 @@ bool supported(std::string_view set) {
 
 // Where it was built, where it was installed, and beside the program that is running.
 std::vector<std::string> places(std::string_view set) {
-    const std::string name = fmt::format("hamilcar_batch_{}.so", set);
+    const std::string name = fmt::format("hamilcar_{}.so", set);
     std::vector<std::string> found{std::string(HAMILCAR_ENGINE_BUILT) + "/" + name,
                                    std::string(HAMILCAR_ENGINE_INSTALLED) + "/" + name};
     std::error_code error;
@@ -40,20 +41,32 @@ std::vector<std::string> places(std::string_view set) {
     return found;
 }
 
-const BatchEngine& open_engine(std::string_view set) {
+const Engine& open_engine(std::string_view set) {
+    if (set == "baseline") return engine_parts::engine();
     std::string tried;
     for (const std::string& path : places(set)) {
         // Local, so that no symbol of one instruction set is ever taken for another's.
         if (void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) {
-            const auto function = reinterpret_cast<BatchEngineFunction>(dlsym(library, batch_engine_symbol));
-            if (function && function()->version == BatchEngine::current_version) return *function();
-            tried += fmt::format("\n  {}: of another version of hamilcar", path);
+            const auto function = reinterpret_cast<EngineFunction>(dlsym(library, engine_symbol));
+            if (function && function()->layout == Engine::current_layout) return *function();
+            tried += fmt::format("\n  {}: of another build of hamilcar", path);
             dlclose(library);
         } else {
             tried += fmt::format("\n  {}", dlerror());
         }
     }
-    throw std::runtime_error(fmt::format("the batch engine for {} cannot be opened; tried{}", set, tried));
+    throw std::runtime_error(fmt::format("the engine for {} cannot be opened; tried{}", set, tried));
+}
+
+const Engine& richest_engine() {
+    for (const std::string_view set : supported_instruction_sets()) {
+        try {
+            return engine(set);
+        } catch (const std::runtime_error&) {
+            // The next one gives the same results, if more slowly; the library's own is always there.
+        }
+    }
+    return engine_parts::engine();
 }
 
 }  // namespace
@@ -64,12 +77,10 @@ std::vector<std::string_view> supported_instruction_sets() {
     return found;
 }
 
-const BatchEngine& batch_engine(std::string_view instruction_set) {
+const Engine& engine(std::string_view instruction_set) {
     static std::mutex mutex;
-    static std::map<std::string, const BatchEngine*, std::less<>> opened;
+    static std::map<std::string, const Engine*, std::less<>> opened;
     const std::vector<std::string_view> own = supported_instruction_sets();
-    if (own.empty()) throw std::runtime_error("no batch engine exists for this processor");
-    if (instruction_set.empty()) instruction_set = own.front();
     if (std::find(own.begin(), own.end(), instruction_set) == own.end()) {
         throw std::invalid_argument(fmt::format("instruction set \"{}\": expected one that this processor has: {}",
                                                 instruction_set, fmt::join(own, ", ")));
@@ -78,6 +89,11 @@ const BatchEngine& batch_engine(std::string_view instruction_set) {
     const auto found = opened.find(instruction_set);
     if (found != opened.end()) return *found->second;
     return *opened.emplace(instruction_set, &open_engine(instruction_set)).first->second;
+}
+
+const Engine& best_engine() {
+    static const Engine& best = richest_engine();
+    return best;
 }
 
 }  // namespace hamilcar

@@ -1,13 +1,14 @@
-// What passes between the batch and the engine of an instruction set: an engine is a shared object of its own, because
-// objects compiled for different instruction sets must not be linked together (ARCHITECTURE.md, "Batch").
+// The step loops, compiled once for each instruction set. What passes between the library and such an engine: an engine is
+// a shared object of its own, because objects compiled for different instruction sets must not be linked together
+// (ARCHITECTURE.md, "Engines").
 //
 // Only doubles, pointers and plain structs cross; packs stay inside. A chunk is as many cars as an engine has lanes.
 #pragma once
 
 #include <string_view>
 
+#include "hamilcar/block/integration.hpp"
 #include "hamilcar/driver/schedule.hpp"
-#include "hamilcar/integrator/methods.hpp"
 
 namespace hamilcar {
 
@@ -47,19 +48,36 @@ public:
     virtual void set_schedule(int lane, const Schedule& schedule) = 0;
 };
 
-struct BatchEngine {
-    static constexpr int current_version = 1;  // of this header
-    int version;
+struct Engine {
+    // Of this header and of everything that crosses: an engine left over from another build must not be taken.
+    static constexpr std::size_t current_layout = 2 + 8 * sizeof(Model<double>) + 8192 * sizeof(State<double>) +
+                                                  65536 * (sizeof(Integrator<State<double>>) + sizeof(Schedule));
+    std::size_t layout;
     std::string_view instruction_set;
     int lanes_double, lanes_single;
+
+    // One step of one car: the Integration block. The worst health met on the way.
+    Health<double> (*advance_car)(const Model<double>&, Integrator<State<double>>&, const Schedule&, double time,
+                                  State<double>&);
     // At least one car, at most as many as there are lanes; the caller deletes the chunk.
     Chunk* (*make_chunk)(Precision, const LaneCar* cars, int count, const ChunkSettings&);
+    // Does nothing but multiply and add, as fast as a core can with this instruction set, fused where it can: the limit to
+    // measure the others by. Returns how many additions and multiplications it did in that many rounds.
+    double (*multiply_and_add)(Precision, long rounds);
 
     int lanes(Precision p) const { return p == Precision::double_precision ? lanes_double : lanes_single; }
 };
 
 // Every engine exports one function of this type under this name.
-using BatchEngineFunction = const BatchEngine* (*)();
-inline constexpr const char* batch_engine_symbol = "hamilcar_batch_engine";
+using EngineFunction = const Engine* (*)();
+inline constexpr const char* engine_symbol = "hamilcar_engine";
+
+// The parts of an engine, each in a source of its own since they want different options of the compiler.
+namespace engine_parts {
+Health<double> advance_car(const Model<double>&, Integrator<State<double>>&, const Schedule&, double, State<double>&);
+Chunk* make_chunk(Precision, const LaneCar* cars, int count, const ChunkSettings&);
+double multiply_and_add(Precision, long rounds);
+const Engine& engine();  // all of them
+}  // namespace engine_parts
 
 }  // namespace hamilcar

@@ -6,9 +6,10 @@
 
 #include <array>
 
-#include "hamilcar/batch/engine.hpp"
-#include "hamilcar/batch/lane_driver.hpp"
 #include "hamilcar/block/integration.hpp"
+#include "hamilcar/engine/engine.hpp"
+#include "hamilcar/engine/flush.hpp"
+#include "hamilcar/engine/lane_driver.hpp"
 
 namespace hamilcar {
 
@@ -35,6 +36,7 @@ public:
     }
 
     void advance(long steps) override {
+        const FlushTinyNumbers flush;
         for (long i = 0; i < steps; ++i) {
             if (survivor() >= 0) advance_once();
             ++step_count_;

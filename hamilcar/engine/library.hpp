@@ -1,0 +1,25 @@
+// Finds the engine that suits this machine and opens it.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "hamilcar/engine/engine.hpp"
+
+namespace hamilcar {
+
+// Instruction sets that engines are built for, the richest first; "baseline" is the library's own, which needs no file.
+inline constexpr std::array<std::string_view, 4> instruction_sets{"x86-64-v4", "x86-64-v3", "x86-64-v2", "baseline"};
+
+// Those of them that this processor has, the richest first.
+std::vector<std::string_view> supported_instruction_sets();
+
+// The engine of an instruction set, opened once and kept. Throws std::invalid_argument for a set that is unknown or that
+// the processor lacks, std::runtime_error where the engine cannot be opened, with the places that were tried.
+const Engine& engine(std::string_view instruction_set);
+
+// The richest engine that the processor has and that can be opened; all give the same bits.
+const Engine& best_engine();
+
+}  // namespace hamilcar
