@@ -17,7 +17,10 @@ struct Options {
 io::ExitCode run(const Options& options);
 io::ExitCode paper(const Options& options);
 io::ExitCode check(const Options& options);
+io::ExitCode bench(const Options& options);
 
+// A file that comes with hamilcar: here, in the source or where it is installed; throws io::Error(input_output).
+std::string shipped_file(const std::string& name);
 // Creates a folder with its parents; throws io::Error(input_output).
 void make_folder(const std::string& path);
 // Writes a whole small file; throws io::Error(input_output).

@@ -30,6 +30,16 @@ bool interrupted() {
     return interrupt_seen != 0;
 }
 
+std::string shipped_file(const std::string& name) {
+    for (const std::string& folder :
+         {std::string("."), std::string(HAMILCAR_SOURCE_DATA), std::string(HAMILCAR_INSTALLED_DATA)}) {
+        const std::string path = folder + "/" + name;
+        if (std::filesystem::exists(path)) return path;
+    }
+    throw io::Error(io::ExitCode::input_output,
+                    name + ": not found here, in the source or where hamilcar is installed");
+}
+
 void make_folder(const std::string& path) {
     std::error_code error;
     std::filesystem::create_directories(path, error);

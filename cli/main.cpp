@@ -1,4 +1,4 @@
-// `hamilcar`: run a scenario, run the paper's case, check a file. A skin: no physics here.
+// `hamilcar`: run a scenario, run the paper's case, check a file, measure the speed. A skin: no physics here.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -16,7 +16,7 @@ namespace cli = hamilcar::cli;
 
 // CLI11 only says that a word is missing; the mistyped command and the nearest one help more.
 std::string mistyped_command(int argc, char** argv) {
-    static constexpr std::string_view commands[] = {"run", "paper", "check"};
+    static constexpr std::string_view commands[] = {"run", "paper", "check", "bench"};
     if (argc < 2 || argv[1][0] == '-') return {};
     for (const std::string_view command : commands) {
         if (command == argv[1]) return {};
@@ -58,7 +58,9 @@ int run_command(int argc, char** argv) {
     auto* check = app.add_subcommand("check", "validate a vehicle or scenario file and print what it describes");
     check->add_option("file", options.file, "vehicle or scenario file (TOML)")->required();
     check->add_option("-o,--output", options.output, "file for the report, instead of standard output");
-    for (auto* command : {run, paper, check}) add_common(*command, options);
+    auto* bench = app.add_subcommand("bench", "measure how fast this machine steps a car, alone and in batches");
+    bench->add_option("vehicle", options.file, "another vehicle file than the shipped car's");
+    for (auto* command : {run, paper, check, bench}) add_common(*command, options);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -67,6 +69,7 @@ int run_command(int argc, char** argv) {
     cli::watch_interrupt();
     if (run->parsed()) return static_cast<int>(cli::run(options));
     if (paper->parsed()) return static_cast<int>(cli::paper(options));
+    if (bench->parsed()) return static_cast<int>(cli::bench(options));
     return static_cast<int>(cli::check(options));
 }
 

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -25,16 +24,6 @@ const std::vector<double> sweep_gains{10, 25, 50, 100, 150, 200, 250, 300, 350, 
 const std::vector<double> shown_gains{50, 200, 400, 500};
 constexpr double paper_gain = 400, paper_norm = 0.005;
 constexpr double paper_limit_gain = 6.0 / 11 / 1e-3;  // [1/s]
-
-std::string paper_scenario() {
-    for (const std::string& folder :
-         {std::string("."), std::string(HAMILCAR_SOURCE_DATA), std::string(HAMILCAR_INSTALLED_DATA)}) {
-        const std::string path = folder + "/scenarios/paper.toml";
-        if (std::filesystem::exists(path)) return path;
-    }
-    throw io::Error(io::ExitCode::input_output,
-                    "scenarios/paper.toml: not found here, in the source or where hamilcar is installed");
-}
 
 struct Figure {
     const char *file, *title, *channel, *y_label;
@@ -212,7 +201,7 @@ void print_paper(const nlohmann::json& facts, const std::string& folder) {
 }  // namespace
 
 io::ExitCode paper(const Options& options) {
-    const std::string file = options.file.empty() ? paper_scenario() : options.file;
+    const std::string file = options.file.empty() ? shipped_file("scenarios/paper.toml") : options.file;
     const ScenarioDescription scenario = io::read_scenario(file);
     const VehicleDescription vehicle = io::read_vehicle(scenario.vehicle);
     const std::string folder = options.output.empty() ? "out/paper" : options.output;

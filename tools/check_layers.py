@@ -21,6 +21,7 @@ LAYERS = [
     ["io"],
     ["run"],
     ["batch"],
+    ["bench"],
 ]
 LEVEL = {room: level for level, rooms in enumerate(LAYERS) for room in rooms}
 INCLUDE = re.compile(r'^#include "hamilcar/([^/"]+)/')

@@ -1,0 +1,137 @@
+// `hamilcar bench`: how fast this machine steps a car, alone and in batches, and what accuracy costs.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "hamilcar/bench/bench.hpp"
+#include "hamilcar/io/vehicle_file.hpp"
+
+namespace hamilcar::cli {
+
+namespace {
+
+constexpr double usual_duration = 20;  // [s]
+
+std::string_view name(Precision precision) {
+    return precision == Precision::double_precision ? "double" : "single";
+}
+std::string_view name(ConstraintMode mode) {
+    return mode == ConstraintMode::exact ? "exact" : "stabilized";
+}
+
+nlohmann::json json_of(const OperationCount& count) {
+    return {{"additions", count.additions},
+            {"multiplications", count.multiplications},
+            {"divisions", count.divisions},
+            {"roots", count.roots}};
+}
+
+nlohmann::json json_of(const BenchReport& report) {
+    nlohmann::json cars, batches, trials;
+    for (const CarBench& car : report.cars) {
+        cars.push_back({{"instruction_set", car.instruction_set},
+                        {"step_ns", 1e9 * car.step},
+                        {"step_with_balance_ns", 1e9 * car.step_with_balance}});
+    }
+    for (const BatchBench& batch : report.batches) {
+        batches.push_back({{"instruction_set", batch.instruction_set},
+                           {"precision", name(batch.precision)},
+                           {"threads", batch.threads},
+                           {"lanes", batch.lanes},
+                           {"step_per_car_ns", 1e9 * batch.step},
+                           {"peak_GFLOP_per_s", 1e-9 * batch.peak},
+                           {"share_of_peak", batch.share_of_peak},
+                           {"speedup", batch.speedup}});
+    }
+    for (const TrialResult& result : report.trials) {
+        trials.push_back({{"integrator", result.trial.integrator},
+                          {"step_s", result.trial.step},
+                          {"tolerance", result.trial.tolerance},
+                          {"constraints", name(result.trial.constraints)},
+                          {"path_error_m", result.path_error},
+                          {"violation_m", result.violation},
+                          {"wall_s", result.wall_time}});
+    }
+    return {
+        {"version", HAMILCAR_VERSION},
+        {"vehicle", report.vehicle},
+        {"machine",
+         {{"processor", report.machine.processor},
+          {"threads", report.machine.threads},
+          {"instruction_sets", report.machine.instruction_sets}}},
+        {"operations", {{"turn", json_of(report.operations_of_turn)}, {"step", json_of(report.operations_of_step)}}},
+        {"one_car", cars},
+        {"batch", batches},
+        {"snapshot_save_and_restore_ns", 1e9 * report.snapshot},
+        {"steadiness",
+         {{"median_ns", 1e9 * report.steadiness.median},
+          {"slowest_in_10000_ns", 1e9 * report.steadiness.late},
+          {"clock_ns", 1e9 * report.steadiness.clock}}},
+        {"work_precision", trials}};
+}
+
+void print_cars(const BenchReport& report) {
+    const OperationCount& n = report.operations_of_step;
+    fmt::print("\nOne car, a 1 ms step of ab3: {} additions, {} multiplications, {} divisions, {} roots\n", n.additions,
+               n.multiplications, n.divisions, n.roots);
+    fmt::print("  {:<12}{:>10}{:>16}{:>18}\n", "engine", "step", "with balance", "times real time");
+    for (const CarBench& car : report.cars) {
+        fmt::print("  {:<12}{:>7.0f} ns{:>13.0f} ns{:>18.0f}\n", car.instruction_set, 1e9 * car.step,
+                   1e9 * car.step_with_balance, 1e-3 / car.step);
+    }
+}
+
+void print_batches(const BenchReport& report) {
+    fmt::print("\nMany cars, a car in each lane\n  {:<12}{:<8}{:>6}{:>9}{:>20}{:>16}{:>10}\n", "engine", "numbers",
+               "lanes", "threads", "per car and step", "share of peak", "speedup");
+    for (const BatchBench& batch : report.batches) {
+        fmt::print("  {:<12}{:<8}{:>6}{:>9}{:>17.0f} ns{:>14.0f} %{:>10.2f}\n", batch.instruction_set,
+                   name(batch.precision), batch.lanes, batch.threads, 1e9 * batch.step, 100 * batch.share_of_peak,
+                   batch.speedup);
+    }
+}
+
+void print_trials(const BenchReport& report) {
+    fmt::print("\nA 15 s double lane change at 20 m/s: distance from the converged path\n");
+    fmt::print("  {:<12}{:>10}  {:<12}{:>10}{:>14}{:>14}\n", "integrator", "step", "constraints", "time", "path error",
+               "joints open");
+    for (const TrialResult& r : report.trials) {
+        const std::string step = r.trial.integrator == "dopri5" ? fmt::format("tol {:.0e}", r.trial.tolerance)
+                                                                : fmt::format("{:g} ms", 1e3 * r.trial.step);
+        fmt::print("  {:<12}{:>10}  {:<12}{:>7.2f} ms{:>12.1e} m{:>12.1e} m\n", r.trial.integrator, step,
+                   name(r.trial.constraints), 1e3 * r.wall_time, r.path_error, r.violation);
+    }
+}
+
+void print_report(const BenchReport& report) {
+    fmt::print("{} on {}, {} threads\n", report.vehicle, report.machine.processor, report.machine.threads);
+    print_cars(report);
+    print_batches(report);
+    fmt::print("\nSnapshot: saved and restored in {:.0f} ns\n", 1e9 * report.snapshot);
+    const Steadiness& s = report.steadiness;
+    fmt::print("Steadiness: a step takes {:.0f} ns, one in 10 000 more than {:.0f} ns ({:.1f} times)\n", 1e9 * s.median,
+               1e9 * s.late, s.late / s.median);
+    print_trials(report);
+}
+
+}  // namespace
+
+io::ExitCode bench(const Options& options) {
+    const VehicleDescription vehicle =
+        io::read_vehicle(options.file.empty() ? shipped_file("vehicles/bmw_323i.toml") : options.file);
+    const bool terminal = isatty(STDERR_FILENO) != 0;
+    const BenchReport report = hamilcar::bench(vehicle, usual_duration, [&](const std::string& part) {
+        if (terminal) fmt::print(stderr, "\r\033[K{} ...", part);
+    });
+    if (terminal) fmt::print(stderr, "\r\033[K");
+    if (options.json) {
+        fmt::print("{}\n", json_of(report).dump(2));
+    } else {
+        print_report(report);
+    }
+    return io::ExitCode::ok;
+}
+
+}  // namespace hamilcar::cli

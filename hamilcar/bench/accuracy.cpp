@@ -1,0 +1,84 @@
+#include "hamilcar/bench/accuracy.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "hamilcar/bench/race.hpp"
+
+namespace hamilcar {
+
+namespace {
+
+struct Run {
+    Path path;
+    double violation = 0, wall_time = 0;
+};
+
+Run drive(const VehicleDescription& vehicle, const ScenarioDescription& scenario) {
+    Simulation simulation(vehicle, scenario);
+    const long every = std::lround(path_interval / scenario.solver.step);
+    Run run;
+    run.path.push_back(simulation.state().position());
+    while (!simulation.finished()) {
+        const auto began = std::chrono::steady_clock::now();
+        for (long i = 0; i < every; ++i) {
+            if (simulation.advance()) return run;
+        }
+        run.wall_time += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+        run.path.push_back(simulation.state().position());
+        run.violation = std::max(run.violation, simulation.sample().violation);
+    }
+    return run;
+}
+
+}  // namespace
+
+double path_error(const Path& path, const Path& reference) {
+    if (path.size() != reference.size()) return std::numeric_limits<double>::infinity();
+    double worst = 0;
+    for (std::size_t i = 0; i < path.size(); ++i) worst = std::max(worst, (path[i] - reference[i]).norm());
+    return worst;
+}
+
+Path reference_path(const VehicleDescription& vehicle, ScenarioDescription scenario) {
+    scenario.solver.integrator = "rk4";
+    scenario.solver.step = 1e-4;
+    return drive(vehicle, scenario).path;
+}
+
+TrialResult run_trial(const VehicleDescription& vehicle, ScenarioDescription scenario, const Trial& trial,
+                      const Path& reference) {
+    scenario.solver.integrator = trial.integrator;
+    scenario.solver.step = trial.step;
+    scenario.solver.constraints = trial.constraints;
+    scenario.solver.tolerance = trial.tolerance;
+    scenario.solver.stabilization = StabilizationRule::limit;
+    TrialResult result{trial, 0, 0, 0};
+    std::vector<double> times;
+    for (int i = 0; i < 3; ++i) {
+        const Run run = drive(vehicle, scenario);
+        result.path_error = path_error(run.path, reference);
+        result.violation = run.violation;
+        times.push_back(run.wall_time);
+    }
+    result.wall_time = median(times);
+    return result;
+}
+
+std::vector<Trial> usual_trials() {
+    constexpr auto exact = ConstraintMode::exact, stabilized = ConstraintMode::stabilized;
+    return {
+        {"ab2", 1e-3, exact},          {"ab2", 5e-4, exact},          {"ab3", 2e-3, exact},
+        {"ab3", 1e-3, exact},          {"ab3", 5e-4, exact},          {"ab3", 1e-3, stabilized},
+        {"ab3", 5e-4, stabilized},     {"ab4", 1e-3, exact},          {"ab4", 5e-4, exact},
+        {"abm3", 2e-3, exact},         {"abm3", 1e-3, exact},         {"abm3", 2e-3, stabilized},
+        {"abm4", 2e-3, exact},         {"abm4", 1e-3, exact},         {"rk4", 1e-2, exact},
+        {"rk4", 5e-3, exact},          {"rk4", 2e-3, exact},          {"rk4", 1e-3, exact},
+        {"rk4", 2e-3, stabilized},     {"dopri5", 1e-1, exact, 1e-4}, {"dopri5", 1e-1, exact, 1e-6},
+        {"dopri5", 1e-1, exact, 1e-8},
+    };
+}
+
+}  // namespace hamilcar

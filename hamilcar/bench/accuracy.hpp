@@ -1,0 +1,41 @@
+// Work against precision: how far a method strays from the converged path, and how long it takes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hamilcar/run/simulation.hpp"
+
+namespace hamilcar {
+
+// Where the chassis origin is, ten times a second [m].
+using Path = std::vector<Vec3<double>>;
+inline constexpr double path_interval = 0.1;  // [s]
+
+// Largest distance between the two at one time [m]; infinite where one ends early.
+double path_error(const Path& path, const Path& reference);
+
+struct Trial {
+    std::string integrator;
+    double step;  // [s]
+    ConstraintMode constraints = ConstraintMode::exact;
+    double tolerance = 1e-8;
+};
+
+struct TrialResult {
+    Trial trial;
+    double path_error;  // [m]
+    double violation;   // the largest opening of a cut joint, ten times a second [m]
+    double wall_time;   // [s]
+};
+
+// The scenario with a step so small that halving it changes nothing that the trials could see.
+Path reference_path(const VehicleDescription& vehicle, ScenarioDescription scenario);
+
+TrialResult run_trial(const VehicleDescription& vehicle, ScenarioDescription scenario, const Trial& trial,
+                      const Path& reference);
+
+// All integrators worth a look, in both constraint modes.
+std::vector<Trial> usual_trials();
+
+}  // namespace hamilcar

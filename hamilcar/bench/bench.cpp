@@ -1,0 +1,146 @@
+#include "hamilcar/bench/bench.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <thread>
+
+#include "hamilcar/batch/batch.hpp"
+#include "hamilcar/bench/race.hpp"
+#include "hamilcar/bench/scenes.hpp"
+
+namespace hamilcar {
+
+namespace {
+
+constexpr int rounds = 9;
+
+Machine this_machine() {
+    Machine machine{"unknown processor", static_cast<int>(std::thread::hardware_concurrency()),
+                    supported_instruction_sets()};
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);) {
+        const auto colon = line.find(": ");
+        if (line.starts_with("model name") && colon != std::string::npos) {
+            machine.processor = line.substr(colon + 2);
+            break;
+        }
+    }
+    return machine;
+}
+
+// A car of its own in the hands of one engine.
+struct CarUnderTest {
+    const Engine* engine;
+    Model<double> model;
+    Schedule schedule;
+    double time;
+    State<double> state;
+    Integrator<State<double>> integrator;
+
+    CarUnderTest(const Engine& own, const Simulation& simulation, bool energy_balance)
+        : engine(&own),
+          model(simulation.model()),
+          schedule(simulation.schedule()),
+          time(simulation.time()),
+          state(simulation.state()),
+          integrator(*find_method(simulation.scenario().solver.integrator), simulation.scenario().solver.step,
+                     State<double>::size(model.vehicle.spoke_count())) {
+        model.energy_balance = energy_balance;
+    }
+    void advance(long steps) {
+        for (long i = 0; i < steps; ++i) {
+            engine->advance_car(model, integrator, schedule, time, state);
+            time += integrator.step();
+        }
+    }
+};
+
+std::vector<CarBench> bench_cars(const Simulation& simulation, double turn) {
+    std::vector<CarUnderTest> cars;
+    std::vector<std::string_view> sets = supported_instruction_sets();
+    for (const std::string_view set : sets) {
+        for (const bool balance : {false, true}) cars.emplace_back(engine(set), simulation, balance);
+    }
+    std::vector<Contestant> contestants;
+    for (CarUnderTest& car : cars) contestants.push_back({"", [&car](long steps) { car.advance(steps); }});
+    const RaceResult result = race(contestants, turn, rounds);
+    std::vector<CarBench> out;
+    for (std::size_t i = 0; i < sets.size(); ++i) out.push_back({sets[i], result.time(2 * i), result.time(2 * i + 1)});
+    return out;
+}
+
+// All cars of a batch by one step are one item.
+std::vector<BatchBench> bench_batches(const VehicleDescription& vehicle, double operations, int threads, double turn) {
+    const std::vector<std::string_view> sets = supported_instruction_sets();
+    int most_lanes = 1;
+    for (const std::string_view set : sets) most_lanes = std::max(most_lanes, engine(set).lanes_single);
+    const auto simulations = fleet(vehicle, 2 * most_lanes * threads);
+    std::vector<const Simulation*> cars;
+    for (const auto& simulation : simulations) cars.push_back(simulation.get());
+
+    std::vector<BatchBench> out;
+    for (const std::string_view set : sets) {
+        for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+            const std::string name(set);
+            Batch alone(cars, {.threads = 1, .precision = precision, .instruction_set = name});
+            Batch together(cars, {.threads = threads, .precision = precision, .instruction_set = name});
+            const Engine& own = engine(set);
+            const double per_round = own.multiply_and_add(precision, 1);
+            std::vector<Contestant> contestants{{"alone", [&](long steps) { alone.advance(steps); }},
+                                                {"together", [&](long steps) { together.advance(steps); }},
+                                                {"peak", [&](long times) { own.multiply_and_add(precision, times); }}};
+            const RaceResult result = race(contestants, turn, rounds);
+            const double work = operations * static_cast<double>(cars.size()) / per_round;  // in rounds of the peak's
+            const double speedup = result.ratio(0, 1), share = work / result.ratio(0, 2);
+            const double peak = per_round / result.time(2), count = static_cast<double>(cars.size());
+            out.push_back({set, precision, 1, own.lanes(precision), result.time(0) / count, peak, share, 1});
+            if (threads > 1) {
+                out.push_back({set, precision, threads, own.lanes(precision), result.time(1) / count, peak * threads,
+                               share * speedup / threads, speedup});
+            }
+        }
+    }
+    return out;
+}
+
+double bench_snapshot(const Simulation& simulation, double turn) {
+    Simulation copy = simulation;
+    Snapshot snapshot;
+    return race({{"",
+                  [&](long times) {
+                      for (long i = 0; i < times; ++i) copy.save(snapshot), copy.restore(snapshot);
+                  }}},
+                turn, rounds)
+        .time(0);
+}
+
+}  // namespace
+
+BenchReport bench(const VehicleDescription& vehicle, double seconds,
+                  const std::function<void(const std::string&)>& progress) {
+    BenchReport report;
+    report.vehicle = vehicle.name;
+    report.machine = this_machine();
+    Simulation simulation = cornering(vehicle, bend());
+    report.operations_of_turn = operations_of_a_turn(simulation);
+    report.operations_of_step = operations_of_a_step(simulation);
+    const double turn = seconds / 1000;  // there are about 400 turns, and the rest takes as long
+
+    progress("one car");
+    report.cars = bench_cars(simulation, turn);
+    progress("many cars");
+    report.batches = bench_batches(vehicle, static_cast<double>(report.operations_of_step.total()),
+                                   std::min(2, report.machine.threads), turn);
+    progress("snapshots and steadiness");
+    report.snapshot = bench_snapshot(simulation, turn);
+    report.steadiness = steadiness(simulation, static_cast<long>(seconds * 1e5));
+    progress("work against precision");
+    const ScenarioDescription scenario = lane_change();
+    const Path reference = reference_path(vehicle, scenario);
+    for (const Trial& trial : usual_trials()) {
+        report.trials.push_back(run_trial(vehicle, scenario, trial, reference));
+    }
+    return report;
+}
+
+}  // namespace hamilcar
