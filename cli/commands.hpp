@@ -9,9 +9,10 @@
 namespace hamilcar::cli {
 
 struct Options {
-    std::string file;    // scenario or vehicle
-    std::string output;  // -o: folder
-    bool json = false;   // one JSON object on standard output
+    std::string file;     // scenario or vehicle
+    std::string output;   // -o: folder
+    bool json = false;    // one JSON object on standard output
+    double seconds = 20;  // bench: about how long to measure
 };
 
 io::ExitCode run(const Options& options);

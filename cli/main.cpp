@@ -60,6 +60,7 @@ int run_command(int argc, char** argv) {
     check->add_option("-o,--output", options.output, "file for the report, instead of standard output");
     auto* bench = app.add_subcommand("bench", "measure how fast this machine steps a car, alone and in batches");
     bench->add_option("vehicle", options.file, "another vehicle file than the shipped car's");
+    bench->add_option("--seconds", options.seconds, "about how long to measure [20]")->check(CLI::Range(0.1, 3600.0));
     for (auto* command : {run, paper, check, bench}) add_common(*command, options);
     try {
         app.parse(argc, argv);

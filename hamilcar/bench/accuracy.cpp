@@ -49,21 +49,21 @@ Path reference_path(const VehicleDescription& vehicle, ScenarioDescription scena
 }
 
 TrialResult run_trial(const VehicleDescription& vehicle, ScenarioDescription scenario, const Trial& trial,
-                      const Path& reference) {
+                      const Path& reference, int times) {
     scenario.solver.integrator = trial.integrator;
     scenario.solver.step = trial.step;
     scenario.solver.constraints = trial.constraints;
     scenario.solver.tolerance = trial.tolerance;
     scenario.solver.stabilization = StabilizationRule::limit;
     TrialResult result{trial, 0, 0, 0};
-    std::vector<double> times;
-    for (int i = 0; i < 3; ++i) {
+    std::vector<double> wall_times;
+    for (int i = 0; i < times; ++i) {
         const Run run = drive(vehicle, scenario);
         result.path_error = path_error(run.path, reference);
         result.violation = run.violation;
-        times.push_back(run.wall_time);
+        wall_times.push_back(run.wall_time);
     }
-    result.wall_time = median(times);
+    result.wall_time = median(wall_times);
     return result;
 }
 

@@ -32,8 +32,9 @@ struct TrialResult {
 // The scenario with a step so small that halving it changes nothing that the trials could see.
 Path reference_path(const VehicleDescription& vehicle, ScenarioDescription scenario);
 
+// Driven so often; the median of the times counts.
 TrialResult run_trial(const VehicleDescription& vehicle, ScenarioDescription scenario, const Trial& trial,
-                      const Path& reference);
+                      const Path& reference, int times);
 
 // All integrators worth a look, in both constraint modes.
 std::vector<Trial> usual_trials();

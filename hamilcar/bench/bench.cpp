@@ -133,12 +133,12 @@ BenchReport bench(const VehicleDescription& vehicle, double seconds,
                                    std::min(2, report.machine.threads), turn);
     progress("snapshots and steadiness");
     report.snapshot = bench_snapshot(simulation, turn);
-    report.steadiness = steadiness(simulation, static_cast<long>(seconds * 1e5));
+    report.steadiness = steadiness(simulation, static_cast<long>(seconds * 5e4));
     progress("work against precision");
     const ScenarioDescription scenario = lane_change();
     const Path reference = reference_path(vehicle, scenario);
     for (const Trial& trial : usual_trials()) {
-        report.trials.push_back(run_trial(vehicle, scenario, trial, reference));
+        report.trials.push_back(run_trial(vehicle, scenario, trial, reference, seconds < 5 ? 1 : 3));
     }
     return report;
 }

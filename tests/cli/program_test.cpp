@@ -275,6 +275,23 @@ TEST_F(Program, TellsItsVersionAndItsEngine) {
     EXPECT_THAT(r.out, testing::MatchesRegex("hamilcar [0-9.]+\nengine: (x86-64-v[234]|baseline)\n"));
 }
 
+TEST_F(Program, MeasuresTheMachine) {
+    const Outcome table = run("bench --seconds 0.1");
+    EXPECT_EQ(table.code, 0) << table.err;
+    EXPECT_EQ(table.err, "");
+    for (const char* part : {"One car", "Many cars", "Snapshot", "Steadiness", "lane change"}) {
+        EXPECT_THAT(table.out, HasSubstr(part));
+    }
+    const Outcome json = run("bench --seconds 0.1 --json");
+    EXPECT_EQ(json.code, 0) << json.err;
+    const auto facts = nlohmann::json::parse(json.out);
+    EXPECT_GT(facts["one_car"][0]["step_ns"], 0);
+    EXPECT_GT(facts["batch"][0]["share_of_peak"], 0);
+    for (const auto& trial : facts["work_precision"]) EXPECT_LT(trial["path_error_m"], 1e-3) << trial;
+    EXPECT_EQ(run("bench --seconds 0").code, 2);
+    EXPECT_EQ(run("bench missing.toml").code, 5);
+}
+
 TEST_F(Program, KeepsNoEnergyBalanceThatNobodyWants) {
     const Outcome r = run("run " + scenario_for(shipped, "[solver]\nenergy_balance = false\n") + " -o results");
     EXPECT_EQ(r.code, 0) << r.err;

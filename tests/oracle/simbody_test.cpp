@@ -3,7 +3,7 @@
 // 1e-5 m and 1e-5 rad. Simbody's car in relative coordinates, the peer of the benchmark, takes it as well.
 #include <gtest/gtest.h>
 
-#include "oracle/simbody_car.hpp"
+#include "oracle/hand_over.hpp"
 #include "support/car.hpp"
 
 namespace hamilcar {
@@ -11,29 +11,6 @@ namespace {
 
 constexpr double path_tolerance = 1e-5;   // [m]
 constexpr double angle_tolerance = 1e-5;  // [rad]
-
-oracle::CarState as_seen_by_simbody(const Simulation& simulation) {
-    const Sample s = simulation.sample();
-    const Mat3<double>& R = s.velocity.R_GC;
-    oracle::CarState car;
-    for (std::size_t i = 0; i < 3; ++i) {
-        car.position[i] = s.state.position()[static_cast<int>(i)];
-        car.velocity[i] = R.row(static_cast<int>(i)).dot(s.velocity.hub.head<3>());
-        car.angular_velocity[i] = R.row(static_cast<int>(i)).dot(s.velocity.hub.tail<3>());
-        for (std::size_t j = 0; j < 3; ++j) car.rotation[3 * i + j] = R(static_cast<int>(i), static_cast<int>(j));
-    }
-    for (int i = 0; i < simulation.model().vehicle.spoke_count(); ++i) {
-        const auto spoke = s.state.spoke(i);
-        const auto& momenta = s.momenta.spokes[static_cast<std::size_t>(i)];
-        car.corners.push_back({.independent = spoke.independent[0],
-                               .independent_rate = momenta.V_rate[0],
-                               .spin = momenta.forces.spin,
-                               .u = spoke.deflection_x,
-                               .v = spoke.deflection_y,
-                               .b = spoke.brake_windup});
-    }
-    return car;
-}
 
 struct Gap {
     double position = 0, angle = 0;
@@ -49,21 +26,14 @@ Gap gap_between(const oracle::CarState& one, const oracle::CarState& other) {
     return {(a - b).norm(), 0.5 * angle.norm()};
 }
 
-std::function<oracle::Inputs(double)> inputs_of(const Simulation& simulation) {
-    return [&simulation](double t) -> oracle::Inputs {
-        const Input<double> in = simulation.schedule()(t);
-        return {in.rack.displacement, in.rack.rate, in.rack.acceleration, in.drive_torque, in.brake};
-    };
-}
-
 // Runs both and returns the largest gap over the run, looked at ten times a second.
 Gap largest_gap(const ScenarioDescription& scenario) {
     const VehicleDescription car = test::shipped_car();
     Simulation simulation(car, scenario);
     oracle::SimbodyCar simbody(car, {scenario.road.grade, scenario.road.bank, scenario.road.friction});
-    const auto inputs = inputs_of(simulation);
+    const auto inputs = oracle::inputs_of(simulation);
     simbody.set_inputs(inputs(0));
-    simbody.set_state(as_seen_by_simbody(simulation));
+    simbody.set_state(oracle::state_of(simulation));
     constexpr double oracle_step = 1e-3, look_every = 0.1;
     const long our_steps = std::lround(look_every / scenario.solver.step);
     Gap largest;
@@ -73,7 +43,7 @@ Gap largest_gap(const ScenarioDescription& scenario) {
         for (long i = 0; i < our_steps; ++i) {
             if (const auto end = simulation.advance()) ADD_FAILURE() << end->message;
         }
-        const Gap gap = gap_between(as_seen_by_simbody(simulation), simbody.state());
+        const Gap gap = gap_between(oracle::state_of(simulation), simbody.state());
         largest = {std::max(largest.position, gap.position), std::max(largest.angle, gap.angle)};
     }
     EXPECT_LT(simbody.worst_constraint_error(), 1e-10);
@@ -127,7 +97,7 @@ protected:
     SimbodySpindles() {
         for (oracle::SimbodyCar* car : {&free, &strut}) {
             car->set_inputs(inputs(0));
-            car->set_state(as_seen_by_simbody(simulation));
+            car->set_state(oracle::state_of(simulation));
         }
     }
 
@@ -141,7 +111,7 @@ protected:
     }
 
     Simulation simulation{test::shipped_car(), bend()};
-    std::function<oracle::Inputs(double)> inputs = inputs_of(simulation);
+    std::function<oracle::Inputs(double)> inputs = oracle::inputs_of(simulation);
     oracle::SimbodyCar free{simulation.vehicle(), {}}, strut{simulation.vehicle(), {}, GetParam()};
 };
 

@@ -1,0 +1,100 @@
+// What the benchmarks say about themselves: medians and ratios of known times, counts that must agree with each other,
+// errors of known paths, and a run that is as far as it should be after it was timed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hamilcar/bench/bench.hpp"
+#include "hamilcar/bench/race.hpp"
+#include "hamilcar/bench/scenes.hpp"
+#include "support/car.hpp"
+
+namespace hamilcar {
+namespace {
+
+TEST(Race, TakesRatiosRoundByRound) {
+    // The machine is slow in the second round and slower in the third: the ratio is two all along.
+    const RaceResult result({{2, 8, 6}, {1, 4, 3}});
+    EXPECT_EQ(result.time(0), 6);
+    EXPECT_EQ(result.time(1), 3);
+    EXPECT_EQ(result.ratio(0, 1), 2);
+}
+
+TEST(Race, GivesEveryoneTheirTurns) {
+    long first = 0, second = 0;
+    std::vector<std::string> order;
+    race({{"first", [&](long n) { first += n, order.emplace_back("first"); }},
+          {"second", [&](long n) { second += n, order.emplace_back("second"); }}},
+         1e-4, 3);
+    EXPECT_GT(first, 0);
+    EXPECT_GT(second, 0);
+    const std::vector<std::string> last(order.end() - 4, order.end());
+    EXPECT_EQ(last, (std::vector<std::string>{"first", "second", "first", "second"}));
+}
+
+TEST(Peak, DoesAsManyOperationsAsItSays) {
+    for (const std::string_view set : supported_instruction_sets()) {
+        const Engine& own = engine(set);
+        for (const Precision p : {Precision::double_precision, Precision::single_precision}) {
+            EXPECT_EQ(own.multiply_and_add(p, 10), 10 * own.multiply_and_add(p, 1));
+            EXPECT_EQ(std::fmod(own.multiply_and_add(p, 1), 2 * own.lanes(p)), 0);
+        }
+        EXPECT_EQ(own.lanes_single, 2 * own.lanes_double);
+    }
+}
+
+TEST(Operations, OfAStepAreThoseOfItsTurnsAndABitMore) {
+    ScenarioDescription scenario = bend();
+    const OperationCount turn = operations_of_a_turn(Simulation(test::shipped_car(), scenario));
+    const OperationCount ab3 = operations_of_a_step(Simulation(test::shipped_car(), scenario));
+    scenario.solver.integrator = "rk4";
+    const OperationCount rk4 = operations_of_a_step(Simulation(test::shipped_car(), scenario));
+    // 50 numbers with three past rates each, twelve closed coordinates at most and an orientation.
+    EXPECT_GT(ab3.total(), turn.total());
+    EXPECT_LT(ab3.total() - turn.total(), 2 * 50 * 3 + 100);
+    EXPECT_EQ(ab3.divisions, turn.divisions);
+    EXPECT_EQ(rk4.divisions, 4 * turn.divisions);
+    EXPECT_GT(rk4.total(), 4 * turn.total());
+}
+
+TEST(PathError, IsTheLargestDistance) {
+    const Path reference{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, path{{0, 0, 0}, {1, 3, 4}, {2, 1, 0}};
+    EXPECT_EQ(path_error(path, reference), 5);
+    EXPECT_EQ(path_error(reference, reference), 0);
+    EXPECT_TRUE(std::isinf(path_error({{0, 0, 0}}, reference)));
+}
+
+// The order of a method shows in the diagram: an eighth of the error at half the step of a third-order one.
+TEST(Trials, ConvergeToTheReference) {
+    ScenarioDescription scenario = lane_change();
+    scenario.duration = 4;
+    const VehicleDescription car = test::shipped_car();
+    const Path reference = reference_path(car, scenario);
+    const TrialResult coarse = run_trial(car, scenario, {"ab3", 2e-3}, reference, 1),
+                      fine = run_trial(car, scenario, {"ab3", 1e-3}, reference, 1);
+    EXPECT_LT(coarse.path_error, 1e-5);
+    EXPECT_NEAR(std::log2(coarse.path_error / fine.path_error), 3, 0.3);
+    EXPECT_GT(coarse.wall_time, 0);
+}
+
+TEST(Steadiness, AdvancesTheRunByWhatItTimed) {
+    Simulation timed(test::shipped_car(), bend()), alone(test::shipped_car(), bend());
+    const Steadiness s = steadiness(timed, 2000);
+    while (alone.steps_taken() < 2000) alone.advance();
+    EXPECT_EQ(timed.steps_taken(), 2000);
+    EXPECT_EQ(timed.state().values, alone.state().values);
+    EXPECT_LE(s.late_by_itself, s.late);
+    EXPECT_GT(s.median, 0);
+}
+
+TEST(Fleet, IsOfCarsThatDiffer) {
+    const auto cars = fleet(test::shipped_car(), 3);
+    for (auto& car : cars) {
+        for (int i = 0; i < 100; ++i) ASSERT_FALSE(car->advance());
+    }
+    EXPECT_NE(cars[0]->state().values, cars[1]->state().values);
+    EXPECT_NE(cars[1]->state().values, cars[2]->state().values);
+}
+
+}  // namespace
+}  // namespace hamilcar
