@@ -42,6 +42,7 @@ std::string topology_difference(const Simulation& a, const Simulation& b) {
     if (x.step != y.step) return "step";
     if (a.model().chart != b.model().chart) return "chart";
     if (a.model().constraints != b.model().constraints) return "constraint mode";
+    if (a.model().energy_balance != b.model().energy_balance) return "energy balance";
     return vehicle_difference(a.model().vehicle, b.model().vehicle);
 }
 
@@ -73,7 +74,7 @@ Batch::Batch(std::vector<const Simulation*> cars, const BatchOptions& options)
     const ChunkSettings settings{.method = *method,
                                  .step = solver.step,
                                  .tilt_cosine = options.tilt_limit > 0 ? std::cos(options.tilt_limit) : -2.0,
-                                 .energy_balance = options.energy_balance};
+                                 .energy_balance = cars_[0]->model().energy_balance};
     for (std::size_t first = 0; first < lane_cars.size(); first += static_cast<std::size_t>(lanes_)) {
         const std::size_t count = std::min(static_cast<std::size_t>(lanes_), lane_cars.size() - first);
         chunks_.emplace_back(

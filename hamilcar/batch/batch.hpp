@@ -20,7 +20,6 @@ struct BatchOptions {
     Precision precision = Precision::double_precision;
     std::string instruction_set;  // empty: the richest that the processor has
     double tilt_limit = 0;        // a car ends when its z axis leans further [rad]; zero: it may roll over
-    bool energy_balance = false;  // integrate the work along; costs about a tenth
 };
 
 // What differs between two cars that cannot share a pack, or nothing: "suspension of corner 2", "step", ...

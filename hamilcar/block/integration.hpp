@@ -14,20 +14,14 @@ namespace hamilcar {
 // W from Phi(V, W, t) = 0 by warm-started Newton steps.
 template <class T>
 void close_loops(const Model<T>& model, const RackMotion<T>& rack, State<T>& state, int newton_steps) {
-    using S = Abreast<T>;
-    const RackMotion<S> rack_of_row = abreast<S>(rack);
-    model.vehicle.template for_each_row<S>([&](const auto& row, int) HAMILCAR_INLINED {
-        dispatch(row.spokes.suspension, [&](const auto& suspension) HAMILCAR_INLINED {
-            if constexpr (std::decay_t<decltype(suspension)>::Linkage::nW > 0) {
-                RowState<S> numbers = gather_row<S>(state, row.index);
-                const SpokeState<S> spoke = spoke_view(numbers.data());
-                for (int n = 0; n < newton_steps; ++n) {
-                    suspension.linkage.newton_step(spoke.independent, spoke.dependent, rack_of_row);
-                }
-                scatter_row(numbers, row.index, row.count, state);
+    for (int i = 0; i < model.vehicle.spoke_count(); ++i) {
+        dispatch(model.vehicle.spokes[static_cast<std::size_t>(i)].suspension, [&](const auto& suspension) {
+            const SpokeState<T> spoke = state.spoke(i);
+            for (int n = 0; n < newton_steps; ++n) {
+                suspension.linkage.newton_step(spoke.independent, spoke.dependent, rack);
             }
         });
-    });
+    }
 }
 
 template <class T>
@@ -49,27 +43,29 @@ HAMILCAR_CORE void normalize_orientation(State<T>& state) {
     state.orientation() = q * (T(1.5) - T(0.5) * q.squaredNorm());
 }
 
-// One step; `input_at(t)` is the driver. Returns the worst health met on the way; of the adaptive method only at the start,
-// since its rejected trials lead anywhere.
+// One step, from a state to another or in place; `input_at(t)` is the driver. Returns the worst health met on the way; of
+// the adaptive method only at the start, since its rejected trials lead anywhere.
+template <class T, class Driver>
+Health<T> integration_block(const Model<T>& model, Integrator<State<T>>& integrator, const Driver& input_at, double t,
+                            const State<T>& from, State<T>& to) {
+    const bool trials = integrator.method().family == MethodFamily::embedded_runge_kutta;
+    RingTurn<T> first, further;
+    int turns = 0;
+    const auto rate_at = [&](double time, const State<T>& at, State<T>& rate) {
+        evaluate(model, input_at(time), at, rate, turns == 0 ? first : further);
+        if (turns > 0 && !trials) first.health.include(further.health);
+        ++turns;
+    };
+    integrator.advance(rate_at, t, from, to);
+    if (model.constraints == ConstraintMode::exact) add_closing(model, first, to);
+    if (model.chart == ChassisChart::quaternion) normalize_orientation(to);
+    return first.health;
+}
+
 template <class T, class Driver>
 Health<T> integration_block(const Model<T>& model, Integrator<State<T>>& integrator, const Driver& input_at, double t,
                             State<T>& state) {
-    const bool trials = integrator.method().family == MethodFamily::embedded_runge_kutta;
-    RingTurn<T> start;
-    bool started = false;
-    const auto rate_at = [&](double time, const State<T>& at, State<T>& rate) {
-        const RingTurn<T> turn = evaluate(model, input_at(time), at, rate);
-        if (!started) {
-            start = turn;
-        } else if (!trials) {
-            start.health.include(turn.health);
-        }
-        started = true;
-    };
-    integrator.advance(rate_at, t, state);
-    if (model.constraints == ConstraintMode::exact) add_closing(model, start, state);
-    if (model.chart == ChassisChart::quaternion) normalize_orientation(state);
-    return start.health;
+    return integration_block(model, integrator, input_at, t, state, state);
 }
 
 }  // namespace hamilcar

@@ -244,21 +244,19 @@ HAMILCAR_CORE Momenta<T, S> momenta_block_of(const Model<T>& model, const State<
     const Input<S> inputs{abreast<S>(input.rack), S(input.drive_torque), S(input.brake)};
     std::array<Spatial<S>, max_spokes> tires;
     vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
-        const RowState<S> numbers = gather_row<S>(state, row.index);
+        const auto numbers = gather_row<S>(state, row.index);
         visit_spoke(row.spokes, velocity, i, [&](const Spoke<S>& spoke, const auto&, const auto& at) HAMILCAR_INLINED {
-            tires[i] =
-                wheel_momenta<account>(spoke, at, spoke_view(numbers.data()), inputs, around.road, out.spokes[i]);
+            tires[i] = wheel_momenta<account>(spoke, at, spoke_view(numbers), inputs, around.road, out.spokes[i]);
         });
     });
     PlaceSum<T, S, std::tuple_size_v<SpokeShare<S>>> sum;
     vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
-        const RowState<S> numbers = gather_row<S>(state, row.index);
+        const auto numbers = gather_row<S>(state, row.index);
         visit_spoke(row.spokes, velocity, i,
                     [&](const Spoke<S>& spoke, const auto& suspension, const auto& at) HAMILCAR_INLINED {
-                        sum.add(
-                            spoke_momenta<account>(spoke, suspension, at, spoke_view(numbers.data()), inputs, around,
-                                                   tires[i], from_places<S>(bars, row.index), out.spokes[i]),
-                            row);
+                        sum.add(spoke_momenta<account>(spoke, suspension, at, spoke_view(numbers), inputs, around,
+                                                       tires[i], from_places<S>(bars, row.index), out.spokes[i]),
+                                row);
                     });
     });
     const SpokeShare<T> spokes = sum.total();

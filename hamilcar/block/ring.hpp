@@ -5,22 +5,30 @@
 
 namespace hamilcar {
 
-// The rates of the numbers of the spokes in a row, in the order of the state.
+// The rates of a spoke's numbers; of those that its linkage does not have, zero.
 template <class Linkage, class S>
-HAMILCAR_CORE RowState<S> row_rate(const SpokeMomenta<S>& from) {
-    RowState<S> numbers;
-    numbers.fill(S(0));
-    const SpokeState<S> to = spoke_view(numbers.data());
-    for (int j = 0; j < Linkage::nV; ++j) {
-        to.independent[j] = from.V_rate[j];
-        to.momentum[j] = from.momentum_rate[j];
+HAMILCAR_CORE void write_rates(const SpokeMomenta<S>& from, const SpokeState<S>& to) {
+    for (int j = 0; j < max_independent; ++j) {
+        to.independent[j] = j < Linkage::nV ? from.V_rate[j] : S(0);
+        to.momentum[j] = j < Linkage::nV ? from.momentum_rate[j] : S(0);
     }
-    for (int j = 0; j < Linkage::nW; ++j) to.dependent[j] = from.W_rate[j];
+    for (int j = 0; j < max_dependent; ++j) to.dependent[j] = j < Linkage::nW ? from.W_rate[j] : S(0);
     to.spin_momentum = from.spin_momentum_rate;
     to.deflection_x = from.deflection_x_rate;
     to.deflection_y = from.deflection_y_rate;
     to.brake_windup = from.windup_rate;
-    return numbers;
+}
+
+// The same for the spokes in a row, each where it stands.
+template <class Linkage, class S, class T, class Row>
+HAMILCAR_CORE void write_row_rates(const SpokeMomenta<S>& from, const Row& row, State<T>& rate) {
+    if constexpr (row_width<S, T> == 1) {
+        write_rates<Linkage>(from, rate.spoke(row.index[0]));
+    } else {
+        RowState<S> numbers;
+        write_rates<Linkage>(from, spoke_view(numbers.data()));
+        scatter_row(numbers, row.index, row.count, rate);
+    }
 }
 
 // The rate of every number of the state, from the two blocks' outputs.
@@ -43,7 +51,7 @@ HAMILCAR_CORE void rate_of_state(const Model<T>& model, const State<T>& state, c
     model.vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
         visit_spoke(row.spokes, velocity, i, [&](const auto&, const auto& suspension, const auto&) HAMILCAR_INLINED {
             using Linkage = typename std::decay_t<decltype(suspension)>::Linkage;
-            scatter_row(row_rate<Linkage>(momenta.spokes[i]), row.index, row.count, rate);
+            write_row_rates<Linkage>(momenta.spokes[i], row, rate);
         });
     });
 }
@@ -57,8 +65,7 @@ struct RingTurn {
 };
 
 template <class T, class S>
-HAMILCAR_CORE RingTurn<T> turn_of(const Model<T>& model, const Velocity<T, S>& velocity) {
-    RingTurn<T> turn;
+HAMILCAR_CORE void report_turn(const Model<T>& model, const Velocity<T, S>& velocity, RingTurn<T>& turn) {
     turn.health = velocity.health;
     model.vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
         visit_spoke(row.spokes, velocity, i, [&](const auto&, const auto&, const auto& at) HAMILCAR_INLINED {
@@ -69,26 +76,35 @@ HAMILCAR_CORE RingTurn<T> turn_of(const Model<T>& model, const Velocity<T, S>& v
             }
         });
     });
-    return turn;
 }
 
 // One turn of the ring without Integration; a lean account leaves the work of the energy balance alone.
 template <Account account, class T>
-[[gnu::flatten]] RingTurn<T> turn_ring(const Model<T>& model, const Input<T>& input, const State<T>& state,
-                                       State<T>& rate) {
+HAMILCAR_IN_ONE_PIECE void turn_ring(const Model<T>& model, const Input<T>& input, const State<T>& state,
+                                     State<T>& rate, RingTurn<T>& turn) {
     using S = Abreast<T>;
     const Velocity<T, S> velocity = velocity_block_of<S>(model, state, input);
     const Momenta<T, S> momenta = momenta_block_of<account>(model, state, input, velocity);
     rate_of_state(model, state, velocity, momenta, rate);
     if constexpr (account == Account::lean) rate.work() = T(0);
-    return turn_of(model, velocity);
+    report_turn(model, velocity, turn);
 }
 
 // The right-hand side.
 template <class T>
+void evaluate(const Model<T>& model, const Input<T>& input, const State<T>& state, State<T>& rate, RingTurn<T>& turn) {
+    if (model.energy_balance) {
+        turn_ring<Account::full>(model, input, state, rate, turn);
+    } else {
+        turn_ring<Account::lean>(model, input, state, rate, turn);
+    }
+}
+
+template <class T>
 RingTurn<T> evaluate(const Model<T>& model, const Input<T>& input, const State<T>& state, State<T>& rate) {
-    return model.energy_balance ? turn_ring<Account::full>(model, input, state, rate)
-                                : turn_ring<Account::lean>(model, input, state, rate);
+    RingTurn<T> turn;
+    evaluate(model, input, state, rate, turn);
+    return turn;
 }
 
 }  // namespace hamilcar

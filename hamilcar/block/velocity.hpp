@@ -172,12 +172,12 @@ HAMILCAR_CORE Velocity<T, S> velocity_block_of(const Model<T>& model, const Stat
     PlaceSum<T, S, std::tuple_size_v<CondensedSpoke<S>>> condensed;
     const RackMotion<S> rack = abreast<S>(input.rack);
     vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
-        const RowState<S> numbers = gather_row<S>(state, row.index);
+        const auto numbers = gather_row<S>(state, row.index);
         dispatch(row.spokes.suspension, [&](const auto& suspension) HAMILCAR_INLINED {
             using Kind = std::decay_t<decltype(suspension)>;
             auto& spoke =
                 std::get<SpokeVelocity<S, Kind>>(out.spokes.emplace_back(std::in_place_type<SpokeVelocity<S, Kind>>));
-            condensed.add(condense_spoke<S>(row.spokes, suspension, spoke_view(numbers.data()), rack,
+            condensed.add(condense_spoke<S>(row.spokes, suspension, spoke_view(numbers), rack,
                                             S(model.stabilization_gain), spoke),
                           row);
             out.health.include(inspect_spoke<T>(row.spokes, spoke, row.count));

@@ -27,8 +27,8 @@ public:
             const LaneCar& car = cars[i < count ? i : 0];
             models_[static_cast<std::size_t>(i)] = car.model;
             driver_.set_schedule(i, *car.schedule);
-            for (std::size_t k = 0; k < state_.values.size(); ++k) {
-                set_lane(state_.values[k], i, static_cast<Element<T>>(car.state->values[k]));
+            for (std::size_t k = 0; k < states_[0].values.size(); ++k) {
+                set_lane(states_[0].values[k], i, static_cast<Element<T>>(car.state->values[k]));
             }
         }
         for (int i = 0; i < count; ++i) running_[static_cast<std::size_t>(i)] = true;
@@ -47,7 +47,7 @@ public:
     State<double> state(int i) const override {
         if (ends_[static_cast<std::size_t>(i)].reason != EndReason::none)
             return last_states_[static_cast<std::size_t>(i)];
-        return state_of(state_, i);
+        return state_of(states_[now_], i);
     }
     void set_schedule(int lane, const Schedule& schedule) override {
         if (running_[static_cast<std::size_t>(lane)]) driver_.set_schedule(lane, schedule);
@@ -75,11 +75,12 @@ private:
     }
 
     void advance_once() {
-        std::copy_n(state_.values.begin(), size_, last_good_.values.begin());
         const auto input_at = [this](double t) { return driver_(t); };
-        const Health<T> health = integration_block(model_, integrator_, input_at, time(), state_);
+        State<T>& next = states_[1 - now_];
+        const Health<T> health = integration_block(model_, integrator_, input_at, time(), states_[now_], next);
+        now_ = 1 - now_;
         T finite(0);
-        for (int k = 0; k < size_; ++k) finite += T(0) * state_.values[static_cast<std::size_t>(k)];
+        for (int k = 0; k < size_; ++k) finite += T(0) * next.values[static_cast<std::size_t>(k)];
         const T upright = settings_.tilt_cosine > -1 ? height_of_z_axis() : T(1);
         const auto good = finite == T(0) && !health.comes_apart() && !health.locks() &&
                           upright >= T(static_cast<Element<T>>(settings_.tilt_cosine));
@@ -89,7 +90,7 @@ private:
 
     // Of the chassis z axis's direction on the ground's, 1 upright.
     T height_of_z_axis() const {
-        const Vector<T, 4> orientation = state_.orientation();
+        const Vector<T, 4> orientation = states_[now_].orientation();
         return with_chart(model_, [&](auto chart) { return T(chart.rotation(orientation)(2, 2)); });
     }
 
@@ -108,7 +109,7 @@ private:
                 reason = EndReason::rolled_over;
             }
             if (reason == EndReason::none) continue;
-            if (running_[at]) ends_[at] = {reason, time()}, last_states_[at] = state_of(last_good_, i);
+            if (running_[at]) ends_[at] = {reason, time()}, last_states_[at] = state_of(states_[1 - now_], i);
             running_[at] = false;
             parked_[at] = false;
         }
@@ -130,7 +131,7 @@ private:
             if (running_[at] || parked_[at]) continue;
             models_[at] = models_[static_cast<std::size_t>(from)];
             driver_.copy_schedule(from, i);
-            for (T& number : state_.values) set_lane(number, i, lane(number, from));
+            for (T& number : states_[now_].values) set_lane(number, i, lane(number, from));
             integrator_.copy_lane(from, i);
             parked_[at] = true;
         }
@@ -140,7 +141,8 @@ private:
     ChunkSettings settings_;
     int size_;
     Model<T> model_;
-    State<T> state_, last_good_;
+    std::array<State<T>, 2> states_;  // the present one, and the one before
+    std::size_t now_ = 0;
     Integrator<State<T>> integrator_;
     LaneDriver<T> driver_;
     int count_;

@@ -23,10 +23,7 @@ public:
     // All lanes at one time [s].
     Input<T> operator()(double time) {
         if (!(begin_ <= time && time < end_)) fetch(time);
-        const SignalValue<T> rack = rack_.at(time);
-        return {.rack = {rack.value, rack.rate, rack.acceleration},
-                .drive_torque = drive_.at(time).value,
-                .brake = brake_.at(time).value};
+        return constant_ ? constants_ : evaluate(time);
     }
 
 private:
@@ -48,16 +45,26 @@ private:
         }
     };
 
+    Input<T> evaluate(double time) const {
+        const SignalValue<T> rack = rack_.at(time);
+        return {.rack = {rack.value, rack.rate, rack.acceleration},
+                .drive_torque = drive_.at(time).value,
+                .brake = brake_.at(time).value};
+    }
+
     void fetch(double time) {
+        constant_ = true;
         begin_ = -std::numeric_limits<double>::infinity(), end_ = -begin_;
         fetch(rack_, time, &Schedule::rack);
         fetch(drive_, time, &Schedule::drive);
         fetch(brake_, time, &Schedule::brake);
+        constants_ = evaluate(time);
     }
     void fetch(Pieces& to, double time, const Signal& (Schedule::*signal)() const) {
         for (int i = 0; i < lanes; ++i) {
             const Signal::Span& span = (schedules_[static_cast<std::size_t>(i)]->*signal)().piece_at(time);
             begin_ = std::max(begin_, span.begin), end_ = std::min(end_, span.end);
+            constant_ = constant_ && span.piece.inverse_duration == 0;
             const Parts start(span.start());
             set_lane(to.start_high, i, start.high), set_lane(to.start_low, i, start.low);
             const auto set = [i](T& number, double value) { set_lane(number, i, static_cast<Number>(value)); };
@@ -70,6 +77,8 @@ private:
     std::array<const Schedule*, static_cast<std::size_t>(lanes)> schedules_{};
     Pieces rack_, drive_, brake_;
     double begin_ = 1, end_ = 0;
+    bool constant_ = false;  // in all lanes, between these times
+    Input<T> constants_;
 };
 
 }  // namespace hamilcar

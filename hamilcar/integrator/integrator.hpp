@@ -56,45 +56,50 @@ public:
         }
     }
 
-    // y(t) -> y(t + step).
+    // y(t) -> y(t + step), to another place or to the same.
     template <class F>
-    void advance(F&& f, double t, State& y) {
+    void advance(F&& f, double t, const State& from, State& to) {
         switch (method_.family) {
-            case MethodFamily::adams_bashforth: return advance_adams(f, t, y, false);
-            case MethodFamily::adams_bashforth_moulton: return advance_adams(f, t, y, true);
-            case MethodFamily::runge_kutta: return advance_runge_kutta(classical_runge_kutta, f, t, step_, y);
+            case MethodFamily::adams_bashforth: return advance_adams(f, t, from, to, false);
+            case MethodFamily::adams_bashforth_moulton: return advance_adams(f, t, from, to, true);
+            case MethodFamily::runge_kutta: return advance_runge_kutta(classical_runge_kutta, f, t, step_, from, to);
             case MethodFamily::embedded_runge_kutta:
                 // Lanes share their steps, an error estimate does not.
-                if constexpr (lane_count<T> == 1) return advance_adaptive(f, t, y);
+                if constexpr (lane_count<T> == 1) return advance_adaptive(f, t, from, to);
                 memory_.converged = false;
         }
     }
+    template <class F>
+    void advance(F&& f, double t, State& y) {
+        advance(f, t, y, y);
+    }
 
 private:
+    void copy(const State& from, State& to) const { std::copy_n(from.values.begin(), size_, to.values.begin()); }
     void copy_past(const Memory& from, Memory& to) const {
         for (int j = 0; j < std::min(from.remembered, method_.order); ++j) {
             const std::size_t k = static_cast<std::size_t>((from.newest + method_.order - j) % method_.order);
-            std::copy_n(from.past[k].values.begin(), size_, to.past[k].values.begin());
+            copy(from.past[k], to.past[k]);
         }
     }
 
     using T = typename decltype(State::values)::value_type;
 
     template <class F>
-    void advance_adams(F& f, double t, State& y, bool corrected) {
+    void advance_adams(F& f, double t, const State& from, State& to, bool corrected) {
         memory_.newest = (memory_.newest + 1) % method_.order;  // no more past than needed: it stays in the cache
-        f(t, y, memory_.past[memory_.newest]);
+        f(t, from, memory_.past[memory_.newest]);
         if (memory_.remembered < method_.order) ++memory_.remembered;
-        if (memory_.remembered < method_.order) return advance_runge_kutta(butcher_6, f, t, step_, y);
-        if (!corrected) return add_past(adams_bashforth[method_.order - 1], 0, y, y);
+        if (memory_.remembered < method_.order) return advance_runge_kutta(butcher_6, f, t, step_, from, to);
+        if (!corrected) return add_past(adams_bashforth[method_.order - 1], 0, from, to);
 
-        State predicted = y;
-        add_past(adams_bashforth[method_.order - 1], 0, y, predicted);
+        State& predicted = work_[max_stages];
+        add_past(adams_bashforth[method_.order - 1], 0, from, predicted);
         f(t + step_, predicted, work_[0]);
         const AdamsRow& a = adams_moulton[method_.order - 1];
-        add_past(a, 1, y, y);
+        add_past(a, 1, from, to);
         const T weight(step_ * a[0]);
-        for (int i = 0; i < size_; ++i) y.values[i] += weight * work_[0].values[i];
+        for (int i = 0; i < size_; ++i) to.values[i] += weight * work_[0].values[i];
     }
 
     // to = from + h sum_j row[j + skip] f_{n-j}
@@ -130,7 +135,7 @@ private:
     void stages(const Tableau& method, F& f, double t, double h, const State& y) {
         for (int s = 0; s < method.stages; ++s) {
             State& at = work_[max_stages];
-            at = y;
+            copy(y, at);
             for (int j = 0; j < s; ++j) {
                 if (method.stage[s][j] == 0) continue;
                 const T weight(h * method.stage[s][j]);
@@ -149,9 +154,10 @@ private:
     }
 
     template <class F>
-    void advance_runge_kutta(const Tableau& method, F& f, double t, double h, State& y) {
-        stages(method, f, t, h, y);
-        add_stages(method.weights, method.stages, h, y);
+    void advance_runge_kutta(const Tableau& method, F& f, double t, double h, const State& from, State& to) {
+        stages(method, f, t, h, from);
+        if (&from != &to) copy(from, to);
+        add_stages(method.weights, method.stages, h, to);
     }
 
     // Largest error of a trial step relative to the tolerance; numbers below one count as one. Infinite for a NaN.
@@ -171,7 +177,8 @@ private:
     }
 
     template <class F>
-    void advance_adaptive(F& f, double t, State& y) {
+    void advance_adaptive(F& f, double t, const State& from, State& y) {
+        if (&from != &y) copy(from, y);
         const double smallest = 1e-9 * step_;  // below it the method gives up
         double done = 0;
         while (done < step_) {

@@ -4,10 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
-// Marks the small functions of the core: always inlined, and the one place where a device build adds its qualifiers.
+// Marks the small functions of the core: always inlined, and the one place where a device build adds its qualifiers. A
+// lambda is marked after its parameters, and what takes all of it into itself, a turn of the ring, by the third. In an
+// instrumented build they are plain calls: a step in one piece would be too much for the instruments.
+#ifdef HAMILCAR_PLAIN_CALLS
+#define HAMILCAR_CORE inline
+#define HAMILCAR_INLINED
+#define HAMILCAR_IN_ONE_PIECE
+#else
 #define HAMILCAR_CORE [[gnu::always_inline]] inline
-// The same for a lambda, after its parameters.
 #define HAMILCAR_INLINED __attribute__((always_inline))
+#define HAMILCAR_IN_ONE_PIECE [[gnu::flatten]]
+#endif
 
 namespace hamilcar {
 

@@ -66,9 +66,7 @@ protected:
         const auto own = supported_instruction_sets();
         if (std::find(own.begin(), own.end(), GetParam()) == own.end()) GTEST_SKIP() << "not on this processor";
     }
-    BatchOptions options(int threads) const {
-        return {.threads = threads, .instruction_set = std::string(GetParam()), .energy_balance = true};
-    }
+    BatchOptions options(int threads) const { return {.threads = threads, .instruction_set = std::string(GetParam())}; }
 };
 INSTANTIATE_TEST_SUITE_P(All, InstructionSet, testing::ValuesIn(instruction_sets),
                          [](const auto& test) { return "v" + std::string(test.param.substr(8)); });

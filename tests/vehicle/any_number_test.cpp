@@ -1,0 +1,170 @@
+// Every model of the lists on every kind of number: what a double gives, a lane gives bit for bit beside a lane of another
+// car in another situation, and so does the number that counts. A model that takes a branch on a number, or looks into a
+// table by one, fails here; a new one is tried as soon as some vehicle of `cars` has it.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <random>
+#include <set>
+
+#include "hamilcar/math/counted.hpp"
+#include "hamilcar/scalar/dispatch.hpp"
+#include "hamilcar/vehicle/vehicle.hpp"
+#include "support/car.hpp"
+
+namespace hamilcar {
+namespace {
+
+using Pair = Pack<double, 2>;
+
+// Two cars of one topology and with nothing else in common, for the two lanes.
+struct Cars {
+    VehicleDescription one, other;
+};
+
+VehicleDescription stretched(VehicleDescription car) {
+    car.chassis.mass *= 1.1;
+    for (CornerDescription& corner : car.corners) {
+        corner.wheel.center[1] *= 1.02;
+        corner.spring.rate *= 1.3;
+        corner.brake.max_torque *= 0.8;
+        if (corner.damper.force.size() > 1) corner.damper.force.back() *= 2;
+        if (auto* strut = std::get_if<MacPhersonDescription>(&corner.suspension)) strut->ball_joint[2] += 0.01;
+        if (auto* arm = std::get_if<SemiTrailingArmDescription>(&corner.suspension)) arm->outer_bush[2] += 0.01;
+        std::visit([](auto& tire) { tire.radius *= 1.05; }, corner.tire);
+    }
+    return car;
+}
+
+std::vector<Cars> cars() {
+    const VehicleDescription shipped = test::shipped_car(), conservative = test::conservative_car();
+    return {{shipped, stretched(shipped)}, {conservative, stretched(conservative)}};
+}
+
+// What a model answered, number by number.
+template <class T>
+struct Answers {
+    std::vector<T> numbers;
+    void add(const T& number) { numbers.push_back(number); }
+    template <int rows, int columns>
+    void add(const Matrix<T, rows, columns>& m) {
+        for (int i = 0; i < m.size(); ++i) numbers.push_back(m.data()[i]);
+    }
+};
+
+std::uint64_t bits(double number) {
+    return std::bit_cast<std::uint64_t>(number);
+}
+
+// `ask(spoke, situation)` answers for a Spoke of any number; each spoke of each car is asked in pairs of situations.
+template <class Ask>
+void expect_same_on_any_number(const Ask& ask) {
+    std::mt19937 source(5);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    for (const Cars& cars_abreast : cars()) {
+        const Vehicle<double> one(cars_abreast.one), other(cars_abreast.other);
+        const Vehicle<Counted> counting(cars_abreast.one);
+        Vehicle<Pair> pair;
+        gather(pair, std::array<const Vehicle<double>*, 2>{&one, &other});
+        for (std::size_t i = 0; i < one.spokes.size(); ++i) {
+            for (int trial = 0; trial < 50; ++trial) {
+                std::array<double, 12> here, there;
+                std::array<Pair, 12> both;
+                std::array<Counted, 12> counted;
+                for (std::size_t k = 0; k < here.size(); ++k) {
+                    here[k] = unit(source), there[k] = unit(source);
+                    both[k] = Pair(std::array{here[k], there[k]});
+                    counted[k] = here[k];
+                }
+                const auto first = ask(one.spokes[i], here).numbers, second = ask(other.spokes[i], there).numbers;
+                const auto lanes = ask(pair.spokes[i], both).numbers;
+                const auto with_count = ask(counting.spokes[i], counted).numbers;
+                ASSERT_EQ(lanes.size(), first.size());
+                ASSERT_GT(first.size(), 0u);
+                for (std::size_t k = 0; k < first.size(); ++k) {
+                    EXPECT_EQ(bits(lane(lanes[k], 0)), bits(first[k])) << "spoke " << i << ", answer " << k;
+                    EXPECT_EQ(bits(lane(lanes[k], 1)), bits(second[k])) << "spoke " << i << ", answer " << k;
+                    EXPECT_EQ(bits(with_count[k].value()), bits(first[k])) << "spoke " << i << ", answer " << k;
+                }
+            }
+        }
+    }
+}
+
+TEST(AnyNumber, CarriesEverySuspension) {
+    std::set<std::size_t> met;
+    expect_same_on_any_number([&]<class T>(const Spoke<T>& spoke, const std::array<T, 12>& x) {
+        met.insert(spoke.suspension.index());
+        return dispatch(spoke.suspension, [&](const auto& suspension) {
+            using Linkage = typename std::decay_t<decltype(suspension)>::Linkage;
+            std::array<T, Linkage::nV> V;
+            std::array<T, std::max(Linkage::nW, 1)> W;
+            Vector<T, Linkage::nV> V_rate;
+            for (std::size_t j = 0; j < V.size(); ++j) {
+                V[j] = T(0.4) + T(0.05) * x[j], V_rate[static_cast<int>(j)] = x[3 + j];
+            }
+            for (std::size_t j = 0; j < W.size(); ++j) W[j] = T(2) * x[6 + j];  // far enough for every quadrant
+            const RackMotion<T> rack{T(0.01) * x[9], x[10], x[11]};
+            const auto at = suspension.linkage.position(V.data(), W.data(), rack, T(30));
+            const auto rates = suspension.linkage.rates(at, V_rate, rack);
+            const auto spring = suspension.spring_line(at, V.data());
+            const auto damper = suspension.damper_line(at, V.data());
+            Answers<T> answers;
+            answers.add(at.J), answers.add(at.pose.R), answers.add(at.pose.p), answers.add(rates.J);
+            if constexpr (Linkage::nW > 0) {
+                answers.add(at.Phi), answers.add(at.H), answers.add(at.X), answers.add(at.closing);
+                answers.add(at.x), answers.add(at.determinant), answers.add(rates.W);
+                answers.add(suspension.linkage.drift_rate(at, rates, rack, T(30)));
+            }
+            answers.add(spring.length), answers.add(damper.rate(V_rate));
+            return answers;
+        });
+    });
+    EXPECT_EQ(met.size(), std::variant_size_v<Suspension<double>>) << "no vehicle here has some suspension of the list";
+}
+
+TEST(AnyNumber, CarriesEveryTire) {
+    std::set<std::size_t> met;
+    expect_same_on_any_number([&]<class T>(const Spoke<T>& spoke, const std::array<T, 12>& x) {
+        met.insert(spoke.tire.index());
+        return dispatch(spoke.tire, [&](const auto& tire) {
+            const RoadPlane<T> road{Vec3<T>(T(0.1) * x[0], T(0.1) * x[1], T(1)), T(0.1) * x[2], T(0.9)};
+            const Vec3<T> axis(T(0.2) * x[3], T(1), T(0.2) * x[4]);
+            const auto frame = contact_frame<T>(road, spoke.wheel.center, axis, tire.radius);
+            // In the air and on the ground, rolling, slipping, sliding, either way.
+            const auto force = tire.force({.depth = T(0.02) * x[5],
+                                           .depth_rate = x[6],
+                                           .v_sx = T(5) * x[7],
+                                           .v_sy = T(5) * x[8],
+                                           .v_x = T(30) * x[9],
+                                           .omega = T(100) * x[9],
+                                           .friction = T(0.9),
+                                           .u = T(0.02) * x[10],
+                                           .v = T(0.02) * x[11]});
+            Answers<T> answers;
+            answers.add(frame.point), answers.add(frame.longitudinal), answers.add(frame.lateral);
+            for (const T& number : {frame.depth, frame.lever, force.Fx, force.Fy, force.Fz, force.elastic,
+                                    force.rolling_moment, force.u_rate, force.v_rate}) {
+                answers.add(number);
+            }
+            return answers;
+        });
+    });
+    EXPECT_EQ(met.size(), std::variant_size_v<Tire<double>>) << "no vehicle here has some tire of the list";
+}
+
+TEST(AnyNumber, CarriesEveryForceAlongALineAndTheBrake) {
+    expect_same_on_any_number([]<class T>(const Spoke<T>& spoke, const std::array<T, 12>& x) {
+        const auto brake = spoke.brake.evaluate(max(x[0], T(0)), T(20) * x[1], T(0.1) * x[2]);
+        Answers<T> answers;
+        for (const T& number : {spoke.spring.force(T(T(0.5) + T(0.1) * x[3])), spoke.damper.force(T(T(2) * x[4])),
+                                spoke.bump.force(T(T(0.2) * x[5])), spoke.rebound.force(T(T(0.2) * x[6])), brake.torque,
+                                brake.windup_rate}) {
+            answers.add(number);
+        }
+        return answers;
+    });
+}
+
+}  // namespace
+}  // namespace hamilcar
