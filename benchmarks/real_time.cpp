@@ -18,6 +18,8 @@ int main() {
                s.late_by_itself / s.median);
     fmt::print("  with interruptions   more than {:6.0f} ns, {:5.2f} times the median\n", 1e9 * s.late,
                s.late / s.median);
+    fmt::print("  a loop that only waits as long: more than {:6.0f} ns, {:5.2f} times\n", 1e9 * s.late_of_nothing,
+               s.late_of_nothing / s.median);
 
     ScenarioDescription rest;
     rest.name = "rest";

@@ -111,8 +111,8 @@ void print_report(const BenchReport& report) {
     const Steadiness& s = report.steadiness;
     fmt::print(
         "Steadiness: a step takes {:.0f} ns; one in 10 000 more than {:.1f} times that by its own doing, "
-        "{:.1f} times with what interrupts it\n",
-        1e9 * s.median, s.late_by_itself / s.median, s.late / s.median);
+        "{:.1f} times with what interrupts it (a loop of nothing: {:.1f} times)\n",
+        1e9 * s.median, s.late_by_itself / s.median, s.late / s.median, s.late_of_nothing / s.median);
     print_trials(report);
 }
 

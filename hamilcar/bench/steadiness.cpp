@@ -35,6 +35,19 @@ double quantile(std::vector<float>& times, double share) {
     return static_cast<double>(*place);
 }
 
+// Reads the clock until that long has passed, again and again.
+std::vector<float> times_of_nothing(std::size_t count, double duration) {
+    std::vector<float> times(count);
+    auto before = Clock::now();
+    for (float& time : times) {
+        auto now = before;
+        while (seconds(now - before) < duration) now = Clock::now();
+        time = static_cast<float>(seconds(now - before));
+        before = now;
+    }
+    return times;
+}
+
 double time_of_a_reading() {
     std::vector<double> readings(1001);
     auto before = Clock::now();
@@ -63,9 +76,12 @@ Steadiness steadiness(Simulation& simulation, long steps) {
             for (std::size_t k = 0; k < block; ++k) own[k] = std::min(own[k], again[k]);
         }
     }
-    return {.median = quantile(first, 0.5),
+    const double middle = quantile(first, 0.5);
+    std::vector<float> nothing = times_of_nothing(first.size(), middle);
+    return {.median = middle,
             .late = quantile(first, 0.9999),
             .late_by_itself = quantile(best, 0.9999),
+            .late_of_nothing = quantile(nothing, 0.9999),
             .clock = time_of_a_reading()};
 }
 

@@ -5,13 +5,13 @@
 
 namespace hamilcar {
 
-// Times of a step [s]; all include a reading of the clock.
+// Times of a step [s], a reading of the clock included; `late` ones are exceeded by one step in ten thousand.
 struct Steadiness {
     double median;
-    double late;  // one step in ten thousand takes longer, whatever interrupted it
-    double
-        late_by_itself;  // the same of the step's own doing: each is replayed from a snapshot, and its best time counts
-    double clock;        // what a reading takes
+    double late;             // whatever interrupted it
+    double late_by_itself;   // of the step's own doing: each is replayed from a snapshot, and its best time counts
+    double late_of_nothing;  // of a loop that only waits as long: what the machine interrupts by itself
+    double clock;            // of a reading of the clock alone
 };
 
 // Steps of a run, as many as fit into blocks of a thousand.

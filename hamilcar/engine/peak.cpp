@@ -1,4 +1,5 @@
-// As many chains of fused multiply-adds as hide the latency of one; plain ones where the instruction set has none fused.
+// As many chains of multiply-adds as hide the latency of one. This file alone is compiled so that they are fused where the
+// instruction set can.
 #include "hamilcar/engine/engine.hpp"
 #include "hamilcar/engine/lanes.hpp"
 
@@ -16,7 +17,7 @@ double multiply_and_add_with(long rounds) {
     asm volatile("" : "+x"(factor.data), "+x"(term.data));  // unknown to the compiler, which would sum the series
     for (long n = 0; n < rounds; ++n) {
 #pragma GCC unroll 12
-        for (int i = 0; i < chains; ++i) sum[i] = xsimd::fma(sum[i], factor, term);
+        for (int i = 0; i < chains; ++i) sum[i] = sum[i] * factor + term;
     }
     for (Batch& s : sum) asm volatile("" : : "x"(s.data));
     return 2.0 * chains * static_cast<double>(Batch::size) * static_cast<double>(rounds);

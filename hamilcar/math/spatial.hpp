@@ -35,18 +35,6 @@ HAMILCAR_CORE auto angular(Eigen::MatrixBase<Derived>& s) {
     return s.template tail<3>();
 }
 
-// Unit rotation about axis e through point p: (p x e ; e).  // A.2
-template <class T>
-HAMILCAR_CORE Spatial<T> rotation_column(const Vec3<T>& p, const Vec3<T>& e) {
-    return spatial<T>(p.cross(e), e);
-}
-
-// Unit translation along e: (e ; 0).  // A.2
-template <class T>
-HAMILCAR_CORE Spatial<T> translation_column(const Vec3<T>& e) {
-    return spatial<T>(e, Vec3<T>::Zero());
-}
-
 // Force f at point p: (f ; p x f).  // (55)
 template <class T>
 HAMILCAR_CORE Spatial<T> force_at(const Vec3<T>& p, const Vec3<T>& f) {
@@ -57,12 +45,6 @@ HAMILCAR_CORE Spatial<T> force_at(const Vec3<T>& p, const Vec3<T>& f) {
 template <class T>
 HAMILCAR_CORE Vec3<T> velocity_at(const Spatial<T>& v, const Vec3<T>& p) {
     return linear(v) + angular(v).cross(p);
-}
-
-// v x m: rate of a motion m carried along by v.
-template <class T>
-HAMILCAR_CORE Spatial<T> cross_motion(const Spatial<T>& v, const Spatial<T>& m) {
-    return spatial<T>(angular(v).cross(linear(m)) + linear(v).cross(angular(m)), angular(v).cross(angular(m)));
 }
 
 // v x* f: rate of a force f carried along by v; its transpose relation is f.(v x m) = -(v x* f).m.
