@@ -24,7 +24,7 @@ constexpr int rounds = 25;
 constexpr oracle::Inputs in_the_bend{.rack = 0.003, .drive_torque = 250};
 
 // One car by one engine, without the checks of a run.
-Contestant stepping(std::string_view set, const Simulation& start) {
+Contestant stepping(const Engine& own, const Simulation& start) {
     struct Car {
         Model<double> model;
         State<double> state;
@@ -34,7 +34,7 @@ Contestant stepping(std::string_view set, const Simulation& start) {
     const auto car = std::make_shared<Car>(
         Car{start.model(), start.state(), {*find_method("ab3"), 1e-3, State<double>::size(4)}, start.time()});
     const auto schedule = std::make_shared<Schedule>(start.schedule());
-    return {fmt::format("one car, {}", set), [car, schedule, &own = engine(set)](long steps) {
+    return {fmt::format("one car, {}", own.instruction_set), [car, schedule, &own](long steps) {
                 for (long i = 0; i < steps; ++i, car->time += 1e-3) {
                     own.advance_car(car->model, car->integrator, *schedule, car->time, car->state);
                 }
@@ -80,13 +80,13 @@ nlohmann::json race_of_steps(const VehicleDescription& vehicle) {
         mujoco(vehicle, oracle::MujocoIntegrator::euler, "MuJoCo, a 1 ms step of Euler", start),
         mujoco(vehicle, oracle::MujocoIntegrator::rk4, "MuJoCo, a 1 ms step of RK4", start)};
     std::vector<double> cars_of(contestants.size(), 1);
-    for (const std::string_view set : supported_instruction_sets()) {
-        contestants.push_back(stepping(set, start));
+    for (const Engine* own : engines()) {
+        contestants.push_back(stepping(*own, start));
         cars_of.push_back(1);
     }
-    for (const std::string_view set : supported_instruction_sets()) {
+    for (const Engine* own : engines()) {
         for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
-            contestants.push_back(stepping_many(set, precision, cars));
+            contestants.push_back(stepping_many(own->instruction_set, precision, cars));
             cars_of.push_back(static_cast<double>(cars.size()));
         }
     }

@@ -66,6 +66,8 @@ nlohmann::json json_of(const BenchReport& report) {
         {"steadiness",
          {{"median_ns", 1e9 * report.steadiness.median},
           {"slowest_in_10000_ns", 1e9 * report.steadiness.late},
+          {"slowest_in_10000_by_itself_ns", 1e9 * report.steadiness.late_by_itself},
+          {"slowest_in_10000_of_nothing_ns", 1e9 * report.steadiness.late_of_nothing},
           {"clock_ns", 1e9 * report.steadiness.clock}}},
         {"work_precision", trials}};
 }

@@ -33,7 +33,7 @@ bool interrupted() {
 std::string shipped_file(const std::string& name) {
     for (const std::string& folder :
          {std::string("."), std::string(HAMILCAR_SOURCE_DATA), std::string(HAMILCAR_INSTALLED_DATA)}) {
-        const std::string path = folder + "/" + name;
+        const std::string path = fmt::format("{}/{}", folder, name);
         if (std::filesystem::exists(path)) return path;
     }
     throw io::Error(io::ExitCode::input_output,

@@ -24,8 +24,11 @@ ALLOWED = 1.03
 def instructions(program, engine, what, steps):
     run = subprocess.run(
         ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", program, engine, what, str(steps)],
-        capture_output=True, text=True, check=True)
-    return int(re.search(r"Collected : (\d+)", run.stderr)[1])
+        capture_output=True, text=True, check=False)
+    counted = re.search(r"Collected : (\d+)", run.stderr)
+    if run.returncode != 0 or not counted:
+        sys.exit(f"{program} {engine} {what} {steps} under valgrind failed:\n{run.stderr}")
+    return int(counted[1])
 
 
 def compiler(build):
@@ -35,6 +38,9 @@ def compiler(build):
 
 
 def main():
+    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
+        print("usage: tools/count_instructions.py BUILD_FOLDER [--keep]", file=sys.stderr)
+        return 2
     build = pathlib.Path(sys.argv[1])
     program = build / "benchmarks" / "instruction_count"
     counts = {f"{engine} {what}": round((instructions(program, engine, what, MANY) -

@@ -2,7 +2,7 @@
 // and start; what they share is the topology, the method and the step.
 //
 // A car computes the same bits here as in a Simulation of its own, whatever its lane, its neighbors, the number of threads
-// and the instruction set.
+// and the instruction set; in single precision the same as in any other batch.
 #pragma once
 
 #include <memory>
@@ -27,15 +27,14 @@ std::string topology_difference(const Simulation& a, const Simulation& b);
 
 class Batch {
 public:
-    // Takes over cars that have been put on the road by their Simulations and not been advanced yet; these must outlive
-    // the batch. Throws std::invalid_argument for cars that cannot share a pack, for the adaptive method and for no cars;
+    // Takes over cars that have been put on the road by their Simulations and not been advanced yet. These must outlive
+    // the batch, stay where they are and keep their schedules: a vector of them must not grow. Throws std::invalid_argument for cars that cannot share a pack, for the adaptive method and for no cars;
     // and as engine() does.
     Batch(std::vector<const Simulation*> cars, const BatchOptions& options);
     Batch(const std::vector<Simulation>& cars, const BatchOptions& options);
+    Batch(std::vector<Simulation>&&, const BatchOptions&) = delete;
 
     std::size_t size() const { return cars_.size(); }
-    int lanes() const { return lanes_; }
-    int threads() const { return pool_.threads(); }
     std::string_view instruction_set() const { return engine_->instruction_set; }
 
     // All cars by that many steps; those that have ended stay where they are.
@@ -46,6 +45,7 @@ public:
     CarEnd end(std::size_t car) const { return chunk_of(car).end(lane_of(car)); }
     // Another driver from now on; it must outlive the batch.
     void set_schedule(std::size_t car, const Schedule& schedule) { chunk_of(car).set_schedule(lane_of(car), schedule); }
+    void set_schedule(std::size_t, Schedule&&) = delete;
 
 private:
     Chunk& chunk_of(std::size_t car) const { return *chunks_[car / static_cast<std::size_t>(lanes_)]; }

@@ -6,10 +6,19 @@ namespace hamilcar {
 
 WorkerPool::WorkerPool(int threads) {
     const int wanted = threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    for (int i = 1; i < wanted; ++i) workers_.emplace_back([this] { wait_for_work(); });
+    try {
+        for (int i = 1; i < wanted; ++i) workers_.emplace_back([this] { wait_for_work(); });
+    } catch (...) {
+        close();  // more threads than the system gives: those that run must not wait for ever
+        throw;
+    }
 }
 
 WorkerPool::~WorkerPool() {
+    close();
+}
+
+void WorkerPool::close() {
     const std::lock_guard lock(mutex_);
     closing_ = true;
     start_.notify_all();

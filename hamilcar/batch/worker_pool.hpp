@@ -24,6 +24,7 @@ public:
     void run(int pieces, const std::function<void(int)>& work);
 
 private:
+    void close();
     void wait_for_work();
     void take_pieces();
 

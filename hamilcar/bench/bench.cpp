@@ -15,8 +15,8 @@ namespace {
 constexpr int rounds = 9;
 
 Machine this_machine() {
-    Machine machine{"unknown processor", static_cast<int>(std::thread::hardware_concurrency()),
-                    supported_instruction_sets()};
+    Machine machine{"unknown processor", static_cast<int>(std::thread::hardware_concurrency()), {}};
+    for (const Engine* own : engines()) machine.instruction_sets.push_back(own->instruction_set);
     std::ifstream info("/proc/cpuinfo");
     for (std::string line; std::getline(info, line);) {
         const auto colon = line.find(": ");
@@ -57,34 +57,34 @@ struct CarUnderTest {
 
 std::vector<CarBench> bench_cars(const Simulation& simulation, double turn) {
     std::vector<CarUnderTest> cars;
-    std::vector<std::string_view> sets = supported_instruction_sets();
-    for (const std::string_view set : sets) {
-        for (const bool balance : {false, true}) cars.emplace_back(engine(set), simulation, balance);
+    for (const Engine* own : engines()) {
+        for (const bool balance : {false, true}) cars.emplace_back(*own, simulation, balance);
     }
     std::vector<Contestant> contestants;
     for (CarUnderTest& car : cars) contestants.push_back({"", [&car](long steps) { car.advance(steps); }});
     const RaceResult result = race(contestants, turn, rounds);
     std::vector<CarBench> out;
-    for (std::size_t i = 0; i < sets.size(); ++i) out.push_back({sets[i], result.time(2 * i), result.time(2 * i + 1)});
+    for (std::size_t i = 0; i < engines().size(); ++i) {
+        out.push_back({engines()[i]->instruction_set, result.time(2 * i), result.time(2 * i + 1)});
+    }
     return out;
 }
 
 // All cars of a batch by one step are one item.
 std::vector<BatchBench> bench_batches(const VehicleDescription& vehicle, double operations, int threads, double turn) {
-    const std::vector<std::string_view> sets = supported_instruction_sets();
     int most_lanes = 1;
-    for (const std::string_view set : sets) most_lanes = std::max(most_lanes, engine(set).lanes_single);
+    for (const Engine* own : engines()) most_lanes = std::max(most_lanes, own->lanes_single);
     const auto simulations = fleet(vehicle, 2 * most_lanes * threads);
     std::vector<const Simulation*> cars;
     for (const auto& simulation : simulations) cars.push_back(simulation.get());
 
     std::vector<BatchBench> out;
-    for (const std::string_view set : sets) {
+    for (const Engine* engine : engines()) {
         for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
-            const std::string name(set);
+            const std::string name(engine->instruction_set);
             Batch alone(cars, {.threads = 1, .precision = precision, .instruction_set = name});
             Batch together(cars, {.threads = threads, .precision = precision, .instruction_set = name});
-            const Engine& own = engine(set);
+            const Engine& own = *engine;
             const double per_round = own.multiply_and_add(precision, 1);
             std::vector<Contestant> contestants{{"alone", [&](long steps) { alone.advance(steps); }},
                                                 {"together", [&](long steps) { together.advance(steps); }},
@@ -93,10 +93,11 @@ std::vector<BatchBench> bench_batches(const VehicleDescription& vehicle, double 
             const double work = operations * static_cast<double>(cars.size()) / per_round;  // in rounds of the peak's
             const double speedup = result.ratio(0, 1), share = work / result.ratio(0, 2);
             const double peak = per_round / result.time(2), count = static_cast<double>(cars.size());
-            out.push_back({set, precision, 1, own.lanes(precision), result.time(0) / count, peak, share, 1});
+            out.push_back(
+                {own.instruction_set, precision, 1, own.lanes(precision), result.time(0) / count, peak, share, 1});
             if (threads > 1) {
-                out.push_back({set, precision, threads, own.lanes(precision), result.time(1) / count, peak * threads,
-                               share * speedup / threads, speedup});
+                out.push_back({own.instruction_set, precision, threads, own.lanes(precision), result.time(1) / count,
+                               peak * threads, share * speedup / threads, speedup});
             }
         }
     }

@@ -18,6 +18,7 @@ public:
     StaticVector() {}
     StaticVector(const StaticVector& other) { *this = other; }
     StaticVector& operator=(const StaticVector& other) {
+        if (this == &other) return *this;
         size_ = 0;
         for (std::size_t i = 0; i < other.size_; ++i) emplace_back(other[i]);
         return *this;

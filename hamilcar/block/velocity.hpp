@@ -53,7 +53,8 @@ struct Health {
         violation = max(violation, other.violation);
         mobility = min(mobility, other.mobility);
     }
-    // A cut equation violated this far no longer holds the car together: about 10 mm at a 0.3 m arm. Neither does a NaN.
+    // A cut equation violated this far no longer holds the car together: about 10 mm at a 0.3 m arm. (`include` may lose a
+    // NaN; whoever asks here also asks whether the state is finite.)
     auto comes_apart() const { return !(violation < T(5e-3)); }
     // A linkage whose det Phi_w has fallen to this share of its design value is about to lock.
     auto locks() const { return !(mobility > T(1e-3)); }

@@ -22,7 +22,7 @@ struct CarEnd {
     double time = 0;  // of the last good state [s]
 };
 
-// A car at its start; read while a chunk is made, but for the schedule, which must stay.
+// A car at its start. The state is read while a chunk is made; model and schedule must stay as long as it does.
 struct LaneCar {
     const Model<double>* model;
     const State<double>* state;
@@ -49,10 +49,11 @@ public:
 };
 
 struct Engine {
-    // Of this header and of everything that crosses: an engine left over from another build must not be taken.
+    // The sizes of everything that crosses, and the build: an engine of another one must not be taken.
     static constexpr std::size_t current_layout = 2 + 8 * sizeof(Model<double>) + 8192 * sizeof(State<double>) +
                                                   65536 * (sizeof(Integrator<State<double>>) + sizeof(Schedule));
     std::size_t layout;
+    std::string_view build;  // a hash of the sources
     std::string_view instruction_set;
     int lanes_double, lanes_single;
 

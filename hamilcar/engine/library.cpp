@@ -20,7 +20,9 @@ bool supported(std::string_view set) {
     const bool v2 =
         __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("ssse3") && __builtin_cpu_supports("popcnt");
     const bool v3 = v2 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
-                    __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
+                    __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma") &&
+                    __builtin_cpu_supports("lzcnt") && __builtin_cpu_supports("movbe") &&
+                    __builtin_cpu_supports("f16c");
     const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                     __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
                     __builtin_cpu_supports("avx512vl");
@@ -30,15 +32,23 @@ bool supported(std::string_view set) {
 #endif
 }
 
-// Where it was built, where it was installed, and beside the program that is running.
+// Beside the program that is running, where it was installed, where it was built.
 std::vector<std::string> places(std::string_view set) {
     const std::string name = fmt::format("hamilcar_{}.so", set);
-    std::vector<std::string> found{std::string(HAMILCAR_ENGINE_BUILT) + "/" + name,
-                                   std::string(HAMILCAR_ENGINE_INSTALLED) + "/" + name};
+    std::vector<std::string> found;
     std::error_code error;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-    if (!error) found.push_back((program.parent_path() / "../lib/hamilcar" / name).lexically_normal().string());
+    if (!error) {
+        const auto folder = program.parent_path() / HAMILCAR_ENGINE_FROM_PROGRAM;
+        found.push_back((folder / name).lexically_normal().string());
+    }
+    found.push_back(std::string(HAMILCAR_ENGINE_INSTALLED) + "/" + name);
+    found.push_back(std::string(HAMILCAR_ENGINE_BUILT) + "/" + name);
     return found;
+}
+
+bool of_this_build(const Engine& engine) {
+    return engine.layout == Engine::current_layout && engine.build == HAMILCAR_BUILD_ID;
 }
 
 const Engine& open_engine(std::string_view set) {
@@ -48,7 +58,7 @@ const Engine& open_engine(std::string_view set) {
         // Local, so that no symbol of one instruction set is ever taken for another's.
         if (void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) {
             const auto function = reinterpret_cast<EngineFunction>(dlsym(library, engine_symbol));
-            if (function && function()->layout == Engine::current_layout) return *function();
+            if (function && of_this_build(*function())) return *function();
             tried += fmt::format("\n  {}: of another build of hamilcar", path);
             dlclose(library);
         } else {
@@ -56,17 +66,6 @@ const Engine& open_engine(std::string_view set) {
         }
     }
     throw std::runtime_error(fmt::format("the engine for {} cannot be opened; tried{}", set, tried));
-}
-
-const Engine& richest_engine() {
-    for (const std::string_view set : supported_instruction_sets()) {
-        try {
-            return engine(set);
-        } catch (const std::runtime_error&) {
-            // The next one gives the same results, if more slowly; the library's own is always there.
-        }
-    }
-    return engine_parts::engine();
 }
 
 }  // namespace
@@ -91,9 +90,19 @@ const Engine& engine(std::string_view instruction_set) {
     return *opened.emplace(instruction_set, &open_engine(instruction_set)).first->second;
 }
 
-const Engine& best_engine() {
-    static const Engine& best = richest_engine();
-    return best;
+const std::vector<const Engine*>& engines() {
+    static const std::vector<const Engine*> opened = [] {
+        std::vector<const Engine*> all;
+        for (const std::string_view set : supported_instruction_sets()) {
+            try {
+                all.push_back(&engine(set));
+            } catch (const std::runtime_error&) {
+                // The others give the same results, if more slowly; the library's own is always there.
+            }
+        }
+        return all;
+    }();
+    return opened;
 }
 
 }  // namespace hamilcar

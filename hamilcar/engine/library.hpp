@@ -19,7 +19,10 @@ std::vector<std::string_view> supported_instruction_sets();
 // the processor lacks, std::runtime_error where the engine cannot be opened, with the places that were tried.
 const Engine& engine(std::string_view instruction_set);
 
-// The richest engine that the processor has and that can be opened; all give the same bits.
-const Engine& best_engine();
+// Those that the processor has and that can be opened, the richest first; all give the same bits.
+const std::vector<const Engine*>& engines();
+inline const Engine& best_engine() {
+    return *engines().front();
+}
 
 }  // namespace hamilcar

@@ -38,11 +38,12 @@ struct Hull {
         return max(road.offset - road.normal.dot(point), T(0));
     }
 
-    // Whether the box around the points does: all that an upright car pays for.
+    // Whether the box around the points does, or nearly: all that an upright car pays for. The margin is beyond round-off,
+    // so that a car whose box does not reach has no point that would.
     HAMILCAR_CORE auto reaches(const RoadPlane<T>& road) const {
         const Vec3<T>& n = road.normal;
         const T reach = abs(n[0]) * half[0] + abs(n[1]) * half[1] + abs(n[2]) * half[2];
-        return n.dot(center) - reach < road.offset;
+        return n.dot(center) - reach < road.offset + T(1e-3);
     }
 
     struct Contact {

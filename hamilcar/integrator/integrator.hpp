@@ -33,9 +33,9 @@ public:
     bool converged() const { return memory_.converged; }
     // Everything that later steps depend on: for going back. Only what the method uses is written and read.
     struct Memory {
-        int remembered, newest;
-        double substep;
-        bool converged;
+        int remembered = 0, newest = 0;
+        double substep = 0;
+        bool converged = true;
         std::array<State, max_adams_order> past;
         Memory() {}
     };

@@ -36,9 +36,9 @@ struct End {
 };
 
 // A place in a run to come back to: the numbers that the rest of the run depends on. A plain copy, and one without
-// allocation; of its 9 kB only what the car and the method use is ever touched.
+// allocation; of its 8 kB saving and restoring touch only what the car and the method use.
 struct Snapshot {
-    long step_count;
+    long step_count = 0;
     State<double> state;
     Integrator<State<double>>::Memory memory;
     Snapshot() {}
@@ -60,7 +60,7 @@ public:
     std::optional<End> advance();
 
     // Going back: a run that is restored and advanced again computes the same bits. The snapshot must be of this
-    // Simulation, or of one with the same vehicle and the same method.
+    // Simulation, or of one with the same vehicle, method and step.
     void save(Snapshot& to) const;
     void restore(const Snapshot& from);
     // Another driver from now on, as a predictive controller tries one after the other.

@@ -92,7 +92,7 @@ struct Pack {
 
     HAMILCAR_CORE friend Pack sqrt(const Pack& x) { return Pack(xsimd::sqrt(x.value)); }
     HAMILCAR_CORE friend Pack abs(const Pack& x) { return Pack(xsimd::fabs(x.value)); }
-    // The second number where the lanes do not compare, as for doubles.
+    // The second number where the lanes do not compare, as for doubles; so x86-64 does.
     HAMILCAR_CORE friend Pack min(const Pack& a, const Pack& b) { return Pack(xsimd::min(a.value, b.value)); }
     HAMILCAR_CORE friend Pack max(const Pack& a, const Pack& b) { return Pack(xsimd::max(a.value, b.value)); }
 };

@@ -59,9 +59,9 @@ HAMILCAR_CORE SpokeState<const S> spoke_view(const RowState<S>& row) {
     return spoke_view(row.data());
 }
 
-// The numbers of a row, for spoke_view: where they lie in the state if its spokes run one by one, else side by side.
+// The numbers of a row, side by side.
 template <class S, class T>
-HAMILCAR_CORE auto gather_row(const State<T>& state, const RowIndex& index) {
+HAMILCAR_CORE RowState<S> gather_row(const State<T>& state, const RowIndex& index) {
     constexpr std::size_t width = row_width<S, T>;
     const T* from[width];
     for (std::size_t i = 0; i < width; ++i) from[i] = state.values.data() + State<T>::hub_size + index[i] * spoke_size;

@@ -153,6 +153,31 @@ TEST(AnyNumber, CarriesEveryTire) {
     EXPECT_EQ(met.size(), std::variant_size_v<Tire<double>>) << "no vehicle here has some tire of the list";
 }
 
+// One car on its roof, the other above the road: the lane in the air must not feel that its neighbor is down.
+TEST(AnyNumber, CarriesTheHull) {
+    const auto contact = []<class T>(const Vehicle<T>& vehicle, const T& height) {
+        const RoadPlane<T> road{Vec3<T>(T(0.1), T(0.2), T(-0.97)), -height, T(0.9)};
+        const auto found = vehicle.hull.contact(road, Spatial<T>::Constant(T(0.7)));
+        Answers<T> answers;
+        answers.add(found.wrench), answers.add(found.lost_power);
+        return answers.numbers;
+    };
+    for (const Cars& cars_abreast : cars()) {
+        const Vehicle<double> one(cars_abreast.one), other(cars_abreast.other);
+        Vehicle<Pair> pair;
+        gather(pair, std::array<const Vehicle<double>*, 2>{&one, &other});
+        for (const auto& [here, there] : {std::pair(-1.0, 5.0), std::pair(5.0, -1.0), std::pair(-1.0, -2.0)}) {
+            const auto first = contact(one, here), second = contact(other, there);
+            const auto lanes = contact(pair, Pair(std::array{here, there}));
+            for (std::size_t k = 0; k < first.size(); ++k) {
+                EXPECT_EQ(bits(lane(lanes[k], 0)), bits(first[k]));
+                EXPECT_EQ(bits(lane(lanes[k], 1)), bits(second[k]));
+            }
+            EXPECT_EQ(first[0] != 0 || second[0] != 0, true) << "somebody must be down";
+        }
+    }
+}
+
 TEST(AnyNumber, CarriesEveryForceAlongALineAndTheBrake) {
     expect_same_on_any_number([]<class T>(const Spoke<T>& spoke, const std::array<T, 12>& x) {
         const auto brake = spoke.brake.evaluate(max(x[0], T(0)), T(20) * x[1], T(0.1) * x[2]);
