@@ -1,5 +1,8 @@
 #include "hamilcar/engine/library.hpp"
 
+#if defined(__x86_64__)
+#include <cpuid.h>
+#endif
 #include <dlfcn.h>
 #include <fmt/format.h>
 
@@ -13,16 +16,25 @@ namespace hamilcar {
 
 namespace {
 
+#if defined(__x86_64__)
+// MOVBE, F16C and LZCNT, for which not every compiler's builtin has a name.
+bool has_rest_of_v3() {
+    unsigned a = 0, b = 0, c = 0, d = 0;
+    constexpr unsigned movbe = 1U << 22, f16c = 1U << 29, lzcnt = 1U << 5;
+    if (!__get_cpuid(1, &a, &b, &c, &d) || (c & movbe) == 0 || (c & f16c) == 0) return false;
+    return __get_cpuid(0x80000001, &a, &b, &c, &d) && (c & lzcnt) != 0;
+}
+#endif
+
 bool supported(std::string_view set) {
     if (set == "baseline") return true;
+    if (std::string_view(HAMILCAR_ENGINES).find(set) == std::string_view::npos) return false;  // not built
 #if defined(__x86_64__)
     __builtin_cpu_init();
     const bool v2 =
         __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("ssse3") && __builtin_cpu_supports("popcnt");
     const bool v3 = v2 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
-                    __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma") &&
-                    __builtin_cpu_supports("lzcnt") && __builtin_cpu_supports("movbe") &&
-                    __builtin_cpu_supports("f16c");
+                    __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma") && has_rest_of_v3();
     const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                     __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
                     __builtin_cpu_supports("avx512vl");

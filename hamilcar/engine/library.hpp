@@ -12,7 +12,7 @@ namespace hamilcar {
 // Instruction sets that engines are built for, the richest first; "baseline" is the library's own, which needs no file.
 inline constexpr std::array<std::string_view, 4> instruction_sets{"x86-64-v4", "x86-64-v3", "x86-64-v2", "baseline"};
 
-// Those of them that this processor has, the richest first.
+// Those of them that were built and that this processor has, the richest first.
 std::vector<std::string_view> supported_instruction_sets();
 
 // The engine of an instruction set, opened once and kept. Throws std::invalid_argument for a set that is unknown or that
