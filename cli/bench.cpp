@@ -69,6 +69,7 @@ nlohmann::json json_of(const BenchReport& report) {
           {"slowest_in_10000_by_itself_ns", 1e9 * report.steadiness.late_by_itself},
           {"slowest_in_10000_of_nothing_ns", 1e9 * report.steadiness.late_of_nothing},
           {"clock_ns", 1e9 * report.steadiness.clock}}},
+        {"work_precision_duration_s", report.trial_duration},
         {"work_precision", trials}};
 }
 
@@ -94,7 +95,7 @@ void print_batches(const BenchReport& report) {
 }
 
 void print_trials(const BenchReport& report) {
-    fmt::print("\nA 15 s double lane change at 20 m/s: distance from the converged path\n");
+    fmt::print("\nA {:g} s double lane change at 20 m/s: distance from the converged path\n", report.trial_duration);
     fmt::print("  {:<12}{:>10}  {:<12}{:>10}{:>14}{:>14}\n", "integrator", "step", "constraints", "time", "path error",
                "joints open");
     for (const TrialResult& r : report.trials) {

@@ -1,6 +1,7 @@
 #include "hamilcar/bench/bench.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <thread>
 
@@ -136,7 +137,8 @@ BenchReport bench(const VehicleDescription& vehicle, double seconds,
     report.snapshot = bench_snapshot(simulation, turn);
     report.steadiness = steadiness(simulation, static_cast<long>(seconds * 5e4));
     progress("work against precision");
-    const ScenarioDescription scenario = lane_change();
+    ScenarioDescription scenario = lane_change();
+    scenario.duration = report.trial_duration = std::clamp(std::round(seconds), 2.0, scenario.duration);
     const Path reference = reference_path(vehicle, scenario);
     for (const Trial& trial : usual_trials()) {
         report.trials.push_back(run_trial(vehicle, scenario, trial, reference, seconds < 5 ? 1 : 3));

@@ -42,10 +42,11 @@ struct BenchReport {
     std::vector<BatchBench> batches;
     double snapshot = 0;  // save and restore together [s]
     Steadiness steadiness{};
+    double trial_duration = 0;  // of the lane change [s]
     std::vector<TrialResult> trials;
 };
 
-// Takes about `seconds`; tells `progress` what it is at.
+// Takes about `seconds`, and drives less than the 15 s of the lane change if these are fewer; tells `progress` what it is at.
 BenchReport bench(const VehicleDescription& vehicle, double seconds,
                   const std::function<void(const std::string&)>& progress);
 
