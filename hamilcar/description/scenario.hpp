@@ -35,7 +35,7 @@ struct SolverDescription {
     StabilizationRule stabilization = StabilizationRule::paper;
     double stabilization_gain = 0;  // alpha [1/s], with StabilizationRule::value
     ChassisChart chart = ChassisChart::quaternion;
-    bool energy_balance = true;   // integrate the work along, so that the run can check itself; costs a tenth to a fifth
+    bool energy_balance = true;  // integrate the work along, so that the run can check itself; costs a tenth to a fifth
     bool check_stability = true;  // refuse a gain beyond the limit; only the sweep of Fig. 9 turns it off
 };
 
