@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "hamilcar/batch/batch.hpp"
+#include "hamilcar/bench/engine_car.hpp"
 #include "hamilcar/bench/scenes.hpp"
-#include "hamilcar/engine/library.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 
 int main(int argc, char** argv) {
@@ -16,13 +16,9 @@ int main(int argc, char** argv) {
     const long steps = std::atol(argv[3]);
     const Engine& own = engine(argv[1]);
     if (std::strcmp(argv[2], "one") == 0) {
-        const Simulation car(vehicle, bend());
-        State<double> state = car.state();
-        Integrator<State<double>> integrator(*find_method("ab3"), 1e-3, State<double>::size(4));
-        for (long i = 0; i < steps; ++i) {
-            own.advance_car(car.model(), integrator, car.schedule(), 1e-3 * static_cast<double>(i), state);
-        }
-        return std::printf("%.17g\n", state.position()[0]), 0;
+        EngineCar car(own, Simulation(vehicle, bend()));
+        car.advance(steps);
+        return std::printf("%.17g\n", car.state().position()[0]), 0;
     }
     const Precision precision =
         std::strcmp(argv[2], "single") == 0 ? Precision::single_precision : Precision::double_precision;

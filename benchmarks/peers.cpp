@@ -8,9 +8,9 @@
 
 #include "hamilcar/batch/batch.hpp"
 #include "hamilcar/bench/accuracy.hpp"
+#include "hamilcar/bench/engine_car.hpp"
 #include "hamilcar/bench/race.hpp"
 #include "hamilcar/bench/scenes.hpp"
-#include "hamilcar/engine/library.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "oracle/hand_over.hpp"
 #include "oracle/mujoco_car.hpp"
@@ -23,21 +23,16 @@ constexpr double turn = 0.02;  // [s]
 constexpr int rounds = 25;
 constexpr oracle::Inputs in_the_bend{.rack = 0.003, .drive_torque = 250};
 
-// One car by one engine, without the checks of a run.
 Contestant stepping(const Engine& own, const Simulation& start) {
-    struct Car {
-        Model<double> model;
-        State<double> state;
-        Integrator<State<double>> integrator;
-        double time;
-    };
-    const auto car = std::make_shared<Car>(
-        Car{start.model(), start.state(), {*find_method("ab3"), 1e-3, State<double>::size(4)}, start.time()});
-    const auto schedule = std::make_shared<Schedule>(start.schedule());
-    return {fmt::format("one car, {}", own.instruction_set), [car, schedule, &own](long steps) {
-                for (long i = 0; i < steps; ++i, car->time += 1e-3) {
-                    own.advance_car(car->model, car->integrator, *schedule, car->time, car->state);
-                }
+    const auto car = std::make_shared<EngineCar>(own, start);
+    return {fmt::format("one car, {}", own.instruction_set), [car](long steps) { car->advance(steps); }};
+}
+
+// The same as a user runs it, by the best engine: with the checks after each step and the last good state kept.
+Contestant running(const Simulation& start) {
+    const auto simulation = std::make_shared<Simulation>(start);
+    return {"one car, a run's step", [simulation](long steps) {
+                for (long i = 0; i < steps; ++i) simulation->advance();
             }};
 }
 
@@ -79,6 +74,7 @@ nlohmann::json race_of_steps(const VehicleDescription& vehicle) {
         simbody(vehicle, oracle::SpindleModel::strut_one_constraint, "Simbody, the same with one constraint"),
         mujoco(vehicle, oracle::MujocoIntegrator::euler, "MuJoCo, a 1 ms step of Euler", start),
         mujoco(vehicle, oracle::MujocoIntegrator::rk4, "MuJoCo, a 1 ms step of RK4", start)};
+    contestants.push_back(running(start));
     std::vector<double> cars_of(contestants.size(), 1);
     for (const Engine* own : engines()) {
         contestants.push_back(stepping(*own, start));

@@ -73,8 +73,7 @@ Batch::Batch(std::vector<const Simulation*> cars, const BatchOptions& options)
     }
     const ChunkSettings settings{.method = *method,
                                  .step = solver.step,
-                                 .tilt_cosine = options.tilt_limit > 0 ? std::cos(options.tilt_limit) : -2.0,
-                                 .energy_balance = cars_[0]->model().energy_balance};
+                                 .tilt_cosine = options.tilt_limit > 0 ? std::cos(options.tilt_limit) : -2.0};
     for (std::size_t first = 0; first < lane_cars.size(); first += static_cast<std::size_t>(lanes_)) {
         const std::size_t count = std::min(static_cast<std::size_t>(lanes_), lane_cars.size() - first);
         chunks_.emplace_back(

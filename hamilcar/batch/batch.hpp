@@ -28,8 +28,9 @@ std::string topology_difference(const Simulation& a, const Simulation& b);
 class Batch {
 public:
     // Takes over cars that have been put on the road by their Simulations and not been advanced yet. These must outlive
-    // the batch, stay where they are and keep their schedules: a vector of them must not grow. Throws std::invalid_argument for cars that cannot share a pack, for the adaptive method and for no cars;
-    // and as engine() does.
+    // the batch, stay where they are and keep their schedules: a vector of them must not grow. Throws
+    // std::invalid_argument for cars that cannot share a pack, for the adaptive method and for no cars; and as engine()
+    // does.
     Batch(std::vector<const Simulation*> cars, const BatchOptions& options);
     Batch(const std::vector<Simulation>& cars, const BatchOptions& options);
     Batch(std::vector<Simulation>&&, const BatchOptions&) = delete;

@@ -19,7 +19,6 @@ public:
     WorkerPool(const WorkerPool&) = delete;
     WorkerPool& operator=(const WorkerPool&) = delete;
 
-    int threads() const { return static_cast<int>(workers_.size()) + 1; }
     // Calls work(0) ... work(pieces - 1), each once, and returns when all are done; rethrows the first exception.
     void run(int pieces, const std::function<void(int)>& work);
 

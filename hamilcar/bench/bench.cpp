@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "hamilcar/batch/batch.hpp"
+#include "hamilcar/bench/engine_car.hpp"
 #include "hamilcar/bench/race.hpp"
 #include "hamilcar/bench/scenes.hpp"
 
@@ -29,40 +30,13 @@ Machine this_machine() {
     return machine;
 }
 
-// A car of its own in the hands of one engine.
-struct CarUnderTest {
-    const Engine* engine;
-    Model<double> model;
-    Schedule schedule;
-    double time;
-    State<double> state;
-    Integrator<State<double>> integrator;
-
-    CarUnderTest(const Engine& own, const Simulation& simulation, bool energy_balance)
-        : engine(&own),
-          model(simulation.model()),
-          schedule(simulation.schedule()),
-          time(simulation.time()),
-          state(simulation.state()),
-          integrator(*find_method(simulation.scenario().solver.integrator), simulation.scenario().solver.step,
-                     State<double>::size(model.vehicle.spoke_count())) {
-        model.energy_balance = energy_balance;
-    }
-    void advance(long steps) {
-        for (long i = 0; i < steps; ++i) {
-            engine->advance_car(model, integrator, schedule, time, state);
-            time += integrator.step();
-        }
-    }
-};
-
 std::vector<CarBench> bench_cars(const Simulation& simulation, double turn) {
-    std::vector<CarUnderTest> cars;
+    std::vector<EngineCar> cars;
     for (const Engine* own : engines()) {
-        for (const bool balance : {false, true}) cars.emplace_back(*own, simulation, balance);
+        for (const bool balance : {false, true}) cars.emplace_back(*own, simulation).keep_energy_balance(balance);
     }
     std::vector<Contestant> contestants;
-    for (CarUnderTest& car : cars) contestants.push_back({"", [&car](long steps) { car.advance(steps); }});
+    for (EngineCar& car : cars) contestants.push_back({"", [&car](long steps) { car.advance(steps); }});
     const RaceResult result = race(contestants, turn, rounds);
     std::vector<CarBench> out;
     for (std::size_t i = 0; i < engines().size(); ++i) {

@@ -9,9 +9,7 @@
 namespace hamilcar::engine_parts {
 
 const Engine& engine() {
-    static constexpr Engine own{.layout = Engine::current_layout,
-                                .build = HAMILCAR_BUILD_ID,
-                                .instruction_set = HAMILCAR_INSTRUCTION_SET,
+    static constexpr Engine own{.instruction_set = HAMILCAR_INSTRUCTION_SET,
                                 .lanes_double = lanes_double,
                                 .lanes_single = lanes_single,
                                 .advance_car = advance_car,

@@ -34,7 +34,6 @@ struct ChunkSettings {
     Method method;
     double step;              // [s]
     double tilt_cosine = -2;  // a car ends where its z axis leans further; -2: it may roll over
-    bool energy_balance = false;
 };
 
 class Chunk {
@@ -49,11 +48,6 @@ public:
 };
 
 struct Engine {
-    // The sizes of everything that crosses, and the build: an engine of another one must not be taken.
-    static constexpr std::size_t current_layout = 2 + 8 * sizeof(Model<double>) + 8192 * sizeof(State<double>) +
-                                                  65536 * (sizeof(Integrator<State<double>>) + sizeof(Schedule));
-    std::size_t layout;
-    std::string_view build;  // a hash of the sources
     std::string_view instruction_set;
     int lanes_double, lanes_single;
 
@@ -69,9 +63,9 @@ struct Engine {
     int lanes(Precision p) const { return p == Precision::double_precision ? lanes_double : lanes_single; }
 };
 
-// Every engine exports one function of this type under this name.
+// Every engine exports one function of this type. A hash of the sources is part of its name, so that a library never takes
+// an engine of another build.
 using EngineFunction = const Engine* (*)();
-inline constexpr const char* engine_symbol = "hamilcar_engine";
 
 // The parts of an engine, each in a source of its own since they want different options of the compiler.
 namespace engine_parts {

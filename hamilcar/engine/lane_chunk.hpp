@@ -63,7 +63,7 @@ private:
     void gather_models() {
         const Model<double>& first = *models_[0];
         model_.chart = first.chart, model_.constraints = first.constraints;
-        model_.energy_balance = settings_.energy_balance;
+        model_.energy_balance = first.energy_balance;
         gather(model_.vehicle, parts_of([](const Model<double>& m) -> const auto& { return m.vehicle; }));
         gather(model_.road, parts_of([](const Model<double>& m) -> const auto& { return m.road; }));
         gather(model_.stabilization_gain,

@@ -59,18 +59,14 @@ std::vector<std::string> places(std::string_view set) {
     return found;
 }
 
-bool of_this_build(const Engine& engine) {
-    return engine.layout == Engine::current_layout && engine.build == HAMILCAR_BUILD_ID;
-}
-
 const Engine& open_engine(std::string_view set) {
     if (set == "baseline") return engine_parts::engine();
     std::string tried;
     for (const std::string& path : places(set)) {
         // Local, so that no symbol of one instruction set is ever taken for another's.
         if (void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) {
-            const auto function = reinterpret_cast<EngineFunction>(dlsym(library, engine_symbol));
-            if (function && of_this_build(*function())) return *function();
+            const auto function = reinterpret_cast<EngineFunction>(dlsym(library, HAMILCAR_ENGINE_FUNCTION));
+            if (function) return *function();
             tried += fmt::format("\n  {}: of another build of hamilcar", path);
             dlclose(library);
         } else {

@@ -106,7 +106,7 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
             out.determinant = T(1);
             out.x.setZero();
         } else {
-            close_loops(rack, out);
+            evaluate_cuts(rack, out);
             eliminate(rack, alpha, out);
             out.x = referred<T>(drift(out), anchor());
         }
@@ -121,7 +121,7 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
         if constexpr (nW > 0) {
             Position at;
             at.pose = place_tree(joints, ChassisFrame<T>{}, coordinates(V, W).data(), anchor(), at.B);
-            close_loops(rack, at);
+            evaluate_cuts(rack, at);
             const Vector<T, nW> correction = inverse<T>(Phi_columns<Dependent>(at)).matrix * at.Phi;
             for (int i = 0; i < nW; ++i) W[i] -= correction[i];
         }
@@ -219,7 +219,8 @@ private:
         return combined<Dependent>(at.B, [&](int i) { return at.X[i]; });
     }
 
-    HAMILCAR_CORE void close_loops(const RackMotion<T>& rack, Position& out) const {
+    // Phi, its gradients and the arms they act on.
+    HAMILCAR_CORE void evaluate_cuts(const RackMotion<T>& rack, Position& out) const {
         visit_cuts([&](const auto& cut, int row, std::size_t i) HAMILCAR_INLINED {
             constexpr int n = std::decay_t<decltype(cut)>::equations;
             const Vec3<T> P = out.pose.point(cut.tip);

@@ -5,17 +5,4 @@
 #include "hamilcar/scalar/counted.hpp"
 
 template <>
-struct Eigen::NumTraits<hamilcar::Counted> : Eigen::NumTraits<double> {
-    using Real = hamilcar::Counted;
-    using NonInteger = hamilcar::Counted;
-    using Nested = hamilcar::Counted;
-    enum {
-        IsComplex = 0,
-        IsInteger = 0,
-        IsSigned = 1,
-        RequireInitialization = 1,
-        ReadCost = 1,
-        AddCost = 1,
-        MulCost = 1
-    };
-};
+struct Eigen::NumTraits<hamilcar::Counted> : hamilcar::NumberTraits<hamilcar::Counted, double> {};

@@ -15,6 +15,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <type_traits>
 
 namespace hamilcar {
 
@@ -26,5 +27,16 @@ template <class T>
 using Vec3 = Vector<T, 3>;
 template <class T>
 using Mat3 = Matrix<T, 3, 3>;
+
+// What Eigen wants to know of a number of ours that computes as an Element does.
+template <class Number, class Element>
+struct NumberTraits : Eigen::NumTraits<Element> {
+    using Real = Number;
+    using NonInteger = Number;
+    using Nested = Number;
+    using Literal = Number;
+    enum { RequireInitialization = !std::is_trivially_default_constructible_v<Number> };
+    enum { ReadCost = 1, AddCost = 1, MulCost = 1 };
+};
 
 }  // namespace hamilcar

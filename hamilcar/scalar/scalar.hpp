@@ -1,8 +1,8 @@
 // What the core asks of a number, written so that a pack of lanes can answer too: choices are values, never branches.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
+#include <concepts>
 
 // Marks the small functions of the core: always inlined, and the one place where a device build adds its qualifiers. A
 // lambda is marked after its parameters, and what takes all of it into itself, a turn of the ring, by the third. In an
@@ -30,28 +30,20 @@ HAMILCAR_CORE bool any(bool condition) {
     return condition;
 }
 
-HAMILCAR_CORE double sqrt(double x) {
+template <std::floating_point T>
+HAMILCAR_CORE T sqrt(T x) {
     return std::sqrt(x);
 }
-HAMILCAR_CORE double abs(double x) {
+template <std::floating_point T>
+HAMILCAR_CORE T abs(T x) {
     return std::fabs(x);
 }
-HAMILCAR_CORE double min(double a, double b) {
+template <std::floating_point T>
+HAMILCAR_CORE T min(T a, T b) {
     return a < b ? a : b;
 }
-HAMILCAR_CORE double max(double a, double b) {
-    return a > b ? a : b;
-}
-HAMILCAR_CORE float sqrt(float x) {
-    return std::sqrt(x);
-}
-HAMILCAR_CORE float abs(float x) {
-    return std::fabs(x);
-}
-HAMILCAR_CORE float min(float a, float b) {
-    return a < b ? a : b;
-}
-HAMILCAR_CORE float max(float a, float b) {
+template <std::floating_point T>
+HAMILCAR_CORE T max(T a, T b) {
     return a > b ? a : b;
 }
 
@@ -68,10 +60,8 @@ HAMILCAR_CORE T over_root(const T& a, const T& x) {
 }
 
 // The plain number behind a scalar, for decisions outside a step.
-inline double value_of(double x) {
-    return x;
-}
-inline double value_of(float x) {
+template <std::floating_point T>
+double value_of(T x) {
     return x;
 }
 

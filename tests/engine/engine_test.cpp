@@ -4,23 +4,17 @@
 
 #include <bit>
 
+#include "hamilcar/bench/engine_car.hpp"
 #include "hamilcar/engine/flush.hpp"
-#include "hamilcar/engine/library.hpp"
 #include "support/car.hpp"
 
 namespace hamilcar {
 namespace {
 
 State<double> driven_by(const Engine& engine, const ScenarioDescription& scenario, long steps) {
-    const Simulation start(test::shipped_car(), scenario);
-    State<double> state = start.state();
-    Integrator<State<double>> integrator(*find_method(scenario.solver.integrator), scenario.solver.step,
-                                         State<double>::size(start.model().vehicle.spoke_count()));
-    for (long i = 0; i < steps; ++i) {
-        engine.advance_car(start.model(), integrator, start.schedule(), scenario.solver.step * static_cast<double>(i),
-                           state);
-    }
-    return state;
+    EngineCar car(engine, Simulation(test::shipped_car(), scenario));
+    car.advance(steps);
+    return car.state();
 }
 
 void expect_same_bits_by_every_engine(const ScenarioDescription& scenario, long steps) {
