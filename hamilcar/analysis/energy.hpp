@@ -2,6 +2,8 @@
 // (docs/theory/formulation.md, energy). The drift, sum x.h, is what the prescribed rack's motion carries.
 #pragma once
 
+#include <vector>
+
 #include "hamilcar/block/momenta.hpp"
 
 namespace hamilcar {
@@ -11,6 +13,67 @@ struct Energy {
     T kinetic, potential, drift, work;  // [J]
     T balance() const { return kinetic + potential - drift - work; }
 };
+
+// Of one composed suspension; `height` of a point in the axes of its unit.
+template <class T, class Height>
+void add_spoke_energy(const ComposedSpoke<T>& spoke, const ComposedVelocity<T>& at, const ComposedMomenta<T>& momenta,
+                      const State<T>& state, const T& gravity, const Height& height, Energy<T>& e) {
+    for (std::size_t i = 0; i < spoke.bodies.size(); ++i) {
+        const auto& [frame, body] = spoke.bodies[i];
+        const Spatial<T>& motion = at.motion[frame];
+        const Spatial<T> Mv = at.inertia[i] * motion;
+        e.kinetic += T(0.5) * motion.dot(Mv);
+        e.potential += body.mass * gravity * height(at.at.pose[frame].point(body.center));
+        e.drift += at.at.motion.x[frame].dot(Mv);
+    }
+    for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
+        const ComposedWheel<T>& wheel = spoke.wheels[i];
+        const T p_s = spoke.wheel_state(static_cast<int>(i), state.values.data()).spin_momentum;
+        const ComposedWheelForces<T>& f = momenta.wheels[i];
+        e.kinetic += T(0.5) * p_s * p_s / wheel.wheel.spin_inertia;
+        e.potential += wheel.bump.potential(f.travel) + wheel.rebound.potential(T(-f.travel));
+        for (int k = 0; k < wheel.tires; ++k) {
+            e.potential +=
+                std::visit([&](const auto& tire) { return tire.potential(f.tires[k].frame.depth); }, wheel.tire);
+        }
+        e.drift += angular(at.at.motion.x[wheel.frame]).dot(at.spin_momentum[i]);
+    }
+    for (std::size_t i = 0; i < spoke.springs.size(); ++i) {
+        e.potential += spoke.springs[i].spring.potential(momenta.springs[i].length);
+    }
+}
+
+// Composed suspensions, the bars between their wheels, trailers.
+template <class T>
+void add_composed_energy(const Model<T>& model, const State<T>& state, const Velocity<T>& velocity,
+                         const Momenta<T>& momenta, Energy<T>& e) {
+    const Vehicle<T>& vehicle = model.vehicle;
+    std::vector<UnitPlace<T>> places{{state.position(), velocity.R_GC}};
+    const auto height_in = [&](std::size_t unit) {
+        return [&place = places[unit]](const Vec3<T>& p) { return place.R.row(2).dot(p) + place.position[2]; };
+    };
+    places.reserve(vehicle.trailers.size() + 1);
+    for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
+        const Trailer<T>& trailer = vehicle.trailers[i];
+        const TrailerVelocity<T>& at = velocity.composed.trailers[i];
+        places.push_back(behind(places[static_cast<std::size_t>(trailer.tow)], at.pose));
+        e.kinetic += T(0.5) * at.motion.dot(trailer.chassis_inertia * at.motion);
+        e.potential += trailer.chassis.mass * vehicle.gravity * height_in(i + 1)(trailer.chassis.center);
+    }
+    std::vector<T> travel;
+    for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
+        const ComposedSpoke<T>& spoke = vehicle.composed[s];
+        add_spoke_energy(spoke, velocity.composed.spokes[s], momenta.composed.spokes[s], state, vehicle.gravity,
+                         height_in(static_cast<std::size_t>(spoke.unit)), e);
+        for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
+            travel.push_back(momenta.composed.spokes[s].wheels[i].travel);
+        }
+    }
+    for (const AntiRollBar<T>& bar : vehicle.composed_bars) {
+        const T difference = travel[bar.left] - travel[bar.right];
+        e.potential += T(0.5) * bar.rate * difference * difference;
+    }
+}
 
 template <class T>
 Energy<T> energy(const Model<T>& model, const State<T>& state, const Velocity<T>& velocity, const Momenta<T>& momenta) {
@@ -39,6 +102,7 @@ Energy<T> energy(const Model<T>& model, const State<T>& state, const Velocity<T>
         const T difference = momenta.spokes[bar.left].forces.travel - momenta.spokes[bar.right].forces.travel;
         e.potential += T(0.5) * bar.rate * difference * difference;
     }
+    if (vehicle.has_composed()) add_composed_energy(model, state, velocity, momenta, e);
     return e;
 }
 

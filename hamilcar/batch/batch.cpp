@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -15,6 +16,48 @@ std::vector<const Simulation*> pointers(const std::vector<Simulation>& cars) {
     std::vector<const Simulation*> out;
     for (const Simulation& car : cars) out.push_back(&car);
     return out;
+}
+
+template <class T>
+std::vector<int> shape(const ComposedLinkage<T>& linkage) {
+    std::vector<int> out = linkage.path;
+    for (const auto& f : linkage.freedoms) out.insert(out.end(), {f.slides, f.parent});
+    for (const auto& e : linkage.equations) out.insert(out.end(), {e.plane, e.part, e.base});
+    out.insert(out.end(), linkage.independent.begin(), linkage.independent.end());
+    return out;
+}
+
+std::vector<int> shape(const ComposedSpoke<double>& spoke) {
+    std::vector<int> out = shape(spoke.linkage);
+    out.push_back(spoke.unit);
+    for (const auto& body : spoke.bodies) out.push_back(body.frame);
+    for (const auto& wheel : spoke.wheels) {
+        out.insert(out.end(), {wheel.frame, wheel.tires, wheel.live, static_cast<int>(wheel.tire.index())});
+    }
+    const auto add = [&](const auto& elements) {
+        out.push_back(static_cast<int>(elements.size()));
+        for (const auto& element : elements) {
+            out.insert(out.end(), {element.line.part, element.line.base, element.line.coordinate});
+        }
+    };
+    add(spoke.springs), add(spoke.dampers);
+    return out;
+}
+
+std::string composed_difference(const Vehicle<double>& a, const Vehicle<double>& b) {
+    if (a.composed.size() != b.composed.size()) return "number of composed suspensions";
+    for (std::size_t i = 0; i < a.composed.size(); ++i) {
+        if (shape(a.composed[i]) != shape(b.composed[i])) return fmt::format("composed suspension {}", i + 1);
+    }
+    if (a.trailers.size() != b.trailers.size()) return "number of trailers";
+    for (std::size_t i = 0; i < a.trailers.size(); ++i) {
+        if (a.trailers[i].tow != b.trailers[i].tow || shape(a.trailers[i].hitch) != shape(b.trailers[i].hitch)) {
+            return fmt::format("hitch of trailer {}", i + 1);
+        }
+    }
+    const auto ends = [](const AntiRollBar<double>& bar) { return std::pair(bar.left, bar.right); };
+    if (!std::ranges::equal(a.composed_bars, b.composed_bars, {}, ends, ends)) return "anti-roll bars";
+    return {};
 }
 
 std::string vehicle_difference(const Vehicle<double>& a, const Vehicle<double>& b) {
@@ -31,7 +74,7 @@ std::string vehicle_difference(const Vehicle<double>& a, const Vehicle<double>& 
             a.anti_roll_bars[i].right != b.anti_roll_bars[i].right)
             return fmt::format("corners of anti-roll bar {}", i + 1);
     }
-    return {};
+    return composed_difference(a, b);
 }
 
 }  // namespace

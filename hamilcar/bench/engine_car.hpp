@@ -16,7 +16,7 @@ public:
           state_(simulation.state()),
           step_count_(simulation.steps_taken()),
           integrator_(*find_method(simulation.scenario().solver.integrator), simulation.scenario().solver.step,
-                      State<double>::size(model_.vehicle.spoke_count()), simulation.scenario().solver.tolerance) {}
+                      model_.vehicle.state_size, simulation.scenario().solver.tolerance) {}
 
     void advance(long steps) {
         for (long i = 0; i < steps; ++i, ++step_count_) {

@@ -42,8 +42,7 @@ OperationCount operations_of_a_turn(const Simulation& simulation) {
 OperationCount operations_of_a_step(const Simulation& simulation) {
     CountedCar car(simulation);
     const SolverDescription& solver = simulation.scenario().solver;
-    Integrator<State<Counted>> integrator(*find_method(solver.integrator), solver.step,
-                                          State<Counted>::size(car.model.vehicle.spoke_count()));
+    Integrator<State<Counted>> integrator(*find_method(solver.integrator), solver.step, car.model.vehicle.state_size);
     const auto input_at = [&](double t) { return counted(simulation.schedule()(t)); };
     for (int warm_up = 0; warm_up < max_adams_order; ++warm_up) {
         integration_block(car.model, integrator, input_at, simulation.time(), car.state);

@@ -1,11 +1,44 @@
 #include "hamilcar/block/initial_process.hpp"
 
+#include <Eigen/Dense>
+
 #include "hamilcar/block/integration.hpp"
+#include "hamilcar/block/road_wheels.hpp"
 
 namespace hamilcar {
 
+namespace {
+
+// |det| over the product of the rows' norms.
+double mobility_of(const Eigen::MatrixXd& Phi_w, double determinant) {
+    const double mobility = std::abs(determinant) / Phi_w.rowwise().norm().prod();
+    return std::isfinite(mobility) ? mobility : 0;
+}
+
+LoopReport inspect_composed(const Model<double>& model, const RackMotion<double>& rack, const State<double>& state,
+                            int number) {
+    LoopReport report{.spoke = number};
+    const auto& spoke = model.vehicle.composed[static_cast<std::size_t>(number - model.vehicle.spoke_count())];
+    const auto view = spoke.state(state.values.data());
+    ComposedPosition<double> at;
+    spoke.linkage.find_position(view.independent, view.dependent, rack, 0.0, at);
+    for (int e = 0; e < spoke.linkage.nW(); ++e) {
+        const double opening = spoke.linkage.opening(e, at);
+        if (report.cut < 0 || !(opening <= report.opening)) report.cut = e, report.opening = opening;
+    }
+    const int n = spoke.linkage.nW();
+    if (n > 0) {
+        Eigen::MatrixXd Phi_w = at.Phi_w_inverse.topLeftCorner(n, n).inverse();
+        report.mobility = mobility_of(Phi_w, at.determinant);
+    }
+    return report;
+}
+
+}  // namespace
+
 LoopReport inspect_loops(const Model<double>& model, const RackMotion<double>& rack, const State<double>& state,
                          int spoke) {
+    if (spoke >= model.vehicle.spoke_count()) return inspect_composed(model, rack, state, spoke);
     LoopReport report{.spoke = spoke};
     std::visit(
         [&](const auto& suspension) {
@@ -20,8 +53,7 @@ LoopReport inspect_loops(const Model<double>& model, const RackMotion<double>& r
             });
             if constexpr (Linkage::nW > 0) {
                 const auto Phi_w = inverse<double>(at.Phi_w_inverse).matrix;
-                report.mobility = std::abs(at.determinant) / Phi_w.rowwise().norm().prod();
-                if (!std::isfinite(report.mobility)) report.mobility = 0;
+                report.mobility = mobility_of(Phi_w, at.determinant);
             }
         },
         model.vehicle.spokes[spoke].suspension);
@@ -32,7 +64,7 @@ AssemblyResult assemble(const Model<double>& model, const RackMotion<double>& ra
     constexpr int max_newton_steps = 50;
     close_loops(model, rack, state, max_newton_steps);
     AssemblyResult result;
-    for (int i = 0; i < model.vehicle.spoke_count(); ++i) {
+    for (int i = 0; i < loop_count(model.vehicle); ++i) {
         const LoopReport report = inspect_loops(model, rack, state, i);
         const bool closed = report.opening <= assembly_tolerance && report.mobility > locked_mobility;
         if (!closed) return {false, report};
@@ -41,8 +73,8 @@ AssemblyResult assemble(const Model<double>& model, const RackMotion<double>& ra
     return result;
 }
 
-State<double> design_state(const Model<double>& model, const Vec3<double>& position, const Mat3<double>& R_GC) {
-    State<double> state;
+void place_chassis(const Model<double>& model, const Vec3<double>& position, const Mat3<double>& R_GC,
+                   State<double>& state) {
     state.position() = position;
     if (model.chart == ChassisChart::quaternion) {
         const Eigen::Quaterniond q(R_GC);
@@ -50,6 +82,11 @@ State<double> design_state(const Model<double>& model, const Vec3<double>& posit
     } else {
         state.orientation() << bryant_angles(R_GC), 0;
     }
+}
+
+State<double> design_state(const Model<double>& model, const Vec3<double>& position, const Mat3<double>& R_GC) {
+    State<double> state;
+    place_chassis(model, position, R_GC, state);
     for (int i = 0; i < model.vehicle.spoke_count(); ++i) {
         std::visit(
             [&](const auto& suspension) {
@@ -62,21 +99,83 @@ State<double> design_state(const Model<double>& model, const Vec3<double>& posit
     return state;
 }
 
+namespace {
+
+// Spin with which a wheel rolls along without slip, its carrier moving with `motion` [rad/s].
+double rolling_spin(const ContactFrame<double>& f, const Vec3<double>& axis, const Tire<double>& tire,
+                    const Spatial<double>& motion) {
+    const double rolling =
+        f.longitudinal.dot(velocity_at<double>(motion, f.point)) + f.lever * axis.dot(angular(motion));
+    return rolling / rolling_radius(tire);
+}
+
+// Momenta of composed suspensions and hitches while nothing moves against its hub; their total, about the chassis origin.
+Spatial<double> set_composed_velocities(const Model<double>& model, const Velocity<double>& velocity,
+                                        const Momenta<double>& momenta, const Spatial<double>& v_1,
+                                        State<double>& state) {
+    const Vehicle<double>& vehicle = model.vehicle;
+    std::vector<Spatial<double>> motion{v_1};
+    std::vector<Spatial<double>> total{Spatial<double>::Zero()};
+    for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
+        const auto tow = static_cast<std::size_t>(vehicle.trailers[i].tow);
+        motion.push_back(seen_from<double>(velocity.composed.trailers[i].pose, motion[tow]));
+        total.push_back(vehicle.trailers[i].chassis_inertia * motion.back());
+    }
+    for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
+        const ComposedSpoke<double>& spoke = vehicle.composed[s];
+        const ComposedVelocity<double>& at = velocity.composed.spokes[s];
+        const auto unit = static_cast<std::size_t>(spoke.unit);
+        const auto to = spoke.state(state.values.data());
+        for (int j = 0; j < spoke.linkage.nV(); ++j) to.momentum[j] = 0;
+        const auto add = [&](int frame, const Spatial<double>& h) {
+            for (int j = 0; j < spoke.linkage.nV(); ++j) {
+                to.momentum[j] += at.at.motion.J[static_cast<std::size_t>(frame)].col(j).dot(h);  // (57)
+            }
+            total[unit] += h;
+        };
+        const auto motion_of = [&](int frame) -> Spatial<double> {
+            return motion[unit] + at.at.motion.x[static_cast<std::size_t>(frame)];
+        };
+        for (std::size_t i = 0; i < spoke.bodies.size(); ++i) {
+            const int frame = spoke.bodies[i].frame;
+            add(frame, at.inertia[i] * motion_of(frame));
+        }
+        for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
+            const ComposedWheel<double>& wheel = spoke.wheels[i];
+            const double spin = rolling_spin(momenta.composed.spokes[s].wheels[i].frame, at.axis[i], wheel.tire,
+                                             motion_of(wheel.frame));
+            double& p_s = spoke.wheel_state(static_cast<int>(i), state.values.data()).spin_momentum;
+            p_s = wheel.wheel.spin_inertia * spin;
+            add(wheel.frame, spatial<double>(Vec3<double>::Zero(), at.axis[i] * p_s));
+        }
+    }
+    for (std::size_t i = vehicle.trailers.size(); i-- > 0;) {
+        const Trailer<double>& trailer = vehicle.trailers[i];
+        const TrailerVelocity<double>& at = velocity.composed.trailers[i];
+        const Spatial<double> h = carried_over<double>(at.pose, total[i + 1]);
+        const int n = trailer.freedoms();
+        for (int j = 0; j < n; ++j) {
+            state.values[static_cast<std::size_t>(trailer.offset + n + j)] =
+                at.hitch.motion.J[static_cast<std::size_t>(n)].col(j).dot(h);
+        }
+        total[static_cast<std::size_t>(trailer.tow)] += h;
+    }
+    return total[0];
+}
+
+}  // namespace
+
 void set_velocities(const Model<double>& model, const Input<double>& input, const Spatial<double>& v_1,
                     State<double>& state) {
     const Velocity<double> velocity = velocity_block(model, state, input);
-    const RoadPlane<double> road = model.road.seen_from(state.position(), velocity.R_GC);
+    const Momenta<double> momenta = momenta_block(model, state, input, velocity);  // for the contacts
     Spatial<double> total = model.vehicle.chassis_inertia * v_1;
     for (int i = 0; i < model.vehicle.spoke_count(); ++i) {
         visit_spoke(model.vehicle, velocity, i, [&](const Spoke<double>& spoke, const auto&, const auto& at) {
             const SpokeState<double> to = state.spoke(i);
             const Spatial<double> motion = v_1 + at.position.x;
-            const auto [radius, rolling_radius] =
-                std::visit([](const auto& tire) { return std::pair(tire.radius, tire.rolling_radius); }, spoke.tire);
-            const auto f = contact_frame<double>(road, at.wheel_center, at.spin_axis, radius);
-            const double rolling =
-                f.longitudinal.dot(velocity_at<double>(motion, f.point)) + f.lever * at.spin_axis.dot(angular(motion));
-            to.spin_momentum = spoke.wheel.spin_inertia * rolling / rolling_radius;
+            const ContactFrame<double>& f = momenta.spokes[static_cast<std::size_t>(i)].forces.frame;
+            to.spin_momentum = spoke.wheel.spin_inertia * rolling_spin(f, at.spin_axis, spoke.tire, motion);
             Spatial<double> h = at.inertia * motion;
             h.tail<3>() += at.spin_axis * to.spin_momentum;
             const auto P = (at.position.J.transpose() * h).eval();  // (57)
@@ -84,6 +183,7 @@ void set_velocities(const Model<double>& model, const Input<double>& input, cons
             total += h;
         });
     }
+    if (model.vehicle.has_composed()) total += set_composed_velocities(model, velocity, momenta, v_1, state);
     const Spatial<double> ground = spatial<double>(velocity.R_GC * total.head<3>(), velocity.R_GC * total.tail<3>());
     with_chart(model, [&](auto chart) {
         const Vector<double, 4> orientation = state.orientation();

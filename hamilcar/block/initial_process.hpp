@@ -10,7 +10,7 @@ namespace hamilcar {
 
 // How well one spoke's loops close at the state's coordinates.
 struct LoopReport {
-    int spoke = 0;
+    int spoke = 0;        // corners first, then composed suspensions
     int cut = -1;         // the worst cut joint; -1 without loops
     double opening = 0;   // of that joint [m]
     double mobility = 1;  // |det Phi_w| over the product of its row norms: 0 where the linkage locks
@@ -28,6 +28,15 @@ inline constexpr double locked_mobility = 1e-4;     // below it Phi_w counts as 
 
 // W by Newton-Raphson from where it stands, for the V of the state.
 AssemblyResult assemble(const Model<double>& model, const RackMotion<double>& rack, State<double>& state);
+
+// Corners and composed suspensions.
+inline int loop_count(const Vehicle<double>& vehicle) {
+    return vehicle.spoke_count() + static_cast<int>(vehicle.composed.size());
+}
+
+// Puts the chassis there; nothing else of the state changes.
+void place_chassis(const Model<double>& model, const Vec3<double>& position, const Mat3<double>& R_GC,
+                   State<double>& state);
 
 // The state at design: chassis at `position` with `R_GC`, V at design, everything at rest, loops not yet closed.
 State<double> design_state(const Model<double>& model, const Vec3<double>& position, const Mat3<double>& R_GC);

@@ -22,6 +22,10 @@ void close_loops(const Model<T>& model, const RackMotion<T>& rack, State<T>& sta
             }
         });
     }
+    for (const ComposedSpoke<T>& spoke : model.vehicle.composed) {
+        const ComposedState<T> at = spoke.state(state.values.data());
+        for (int n = 0; n < newton_steps; ++n) spoke.linkage.newton_step(at.independent, at.dependent, rack);
+    }
 }
 
 template <class T>
@@ -33,6 +37,13 @@ HAMILCAR_CORE void add_closing(const Model<T>& model, const RingTurn<T>& turn, S
                 state.spoke(i).dependent[j] += closing[static_cast<std::size_t>(j)];
             }
         });
+    }
+    for (std::size_t s = 0; s < model.vehicle.composed.size(); ++s) {
+        const ComposedSpoke<T>& spoke = model.vehicle.composed[s];
+        T* dependent = spoke.state(state.values.data()).dependent;
+        for (int j = 0; j < spoke.linkage.nW(); ++j) {
+            dependent[j] += turn.composed_closing[s][static_cast<std::size_t>(j)];
+        }
     }
 }
 

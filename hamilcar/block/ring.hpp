@@ -54,6 +54,9 @@ HAMILCAR_CORE void rate_of_state(const Model<T>& model, const State<T>& state, c
             write_row_rates<Linkage>(momenta.spokes[i], row, rate);
         });
     });
+    if (model.vehicle.has_composed()) {
+        write_composed_rates(model.vehicle, velocity.composed, momenta.composed, rate);
+    }
 }
 
 // What a turn tells besides the rates.
@@ -61,6 +64,7 @@ template <class T>
 struct RingTurn {
     Health<T> health;
     std::array<std::array<T, max_dependent>, max_spokes> closing;  // of W, spoke by spoke: -Phi_w^-1 Phi
+    std::array<std::array<T, max_equations>, max_composed> composed_closing;
     RingTurn() {}
 };
 
@@ -76,6 +80,9 @@ HAMILCAR_CORE void report_turn(const Model<T>& model, const Velocity<T, S>& velo
             }
         });
     });
+    for (std::size_t s = 0; s < model.vehicle.composed.size(); ++s) {
+        turn.composed_closing[s] = velocity.composed.spokes[s].at.closing;
+    }
 }
 
 // One turn of the ring without Integration; a lean account leaves the work of the energy balance alone.

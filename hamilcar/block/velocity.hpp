@@ -8,8 +8,7 @@
 // Everything is in chassis axes about the chassis origin, where spokes depend on their own coordinates alone.
 #pragma once
 
-#include "hamilcar/block/model.hpp"
-#include "hamilcar/block/static_vector.hpp"
+#include "hamilcar/block/composed_velocity.hpp"
 #include "hamilcar/vehicle/place_sum.hpp"
 
 namespace hamilcar {
@@ -43,23 +42,6 @@ struct SpokeVelocities<T, std::variant<S...>> {
 template <class T>
 using AnySpokeVelocity = typename detail::SpokeVelocities<T, Suspension<T>>::type;
 
-// Flags of the mathematics, for whoever watches the run: never a throw inside a step.
-template <class T>
-struct Health {
-    T violation{0};  // largest |Phi| of all cut equations [m or m^2]
-    T mobility{1};   // smallest det Phi_w relative to design; 0 where a linkage locks, negative beyond
-
-    void include(const Health& other) {
-        violation = max(violation, other.violation);
-        mobility = min(mobility, other.mobility);
-    }
-    // A cut equation violated this far no longer holds the car together: about 10 mm at a 0.3 m arm. (`include` may lose a
-    // NaN; whoever asks here also asks whether the state is finite.)
-    auto comes_apart() const { return !(violation < T(5e-3)); }
-    // A linkage whose det Phi_w has fallen to this share of its design value is about to lock.
-    auto locks() const { return !(mobility > T(1e-3)); }
-};
-
 // S is the number that carries the spokes: T itself for one spoke after the other, Abreast<T> for a row at a time.
 template <class T, class S = T>
 struct Velocity {
@@ -68,6 +50,7 @@ struct Velocity {
     Spatial<T> momentum;  // (p ; L) in chassis axes
     Spatial<T> hub;       // v_1
     StaticVector<AnySpokeVelocity<S>, max_spokes> spokes;
+    ComposedVelocities<T> composed;  // and trailers
     Velocity() {}
 };
 
@@ -82,21 +65,6 @@ HAMILCAR_CORE decltype(auto) visit_spoke(const Spoke<S>& spoke, VelocityRef& vel
 template <class T, class VelocityRef, class F>
 decltype(auto) visit_spoke(const Vehicle<T>& vehicle, VelocityRef& velocity, int i, F&& f) {
     return visit_spoke(vehicle.spokes[i], velocity, i, f);
-}
-
-// What a spoke leaves of the hub's 6x6 system: the lower triangle of an inertia, column by column, and a momentum.
-template <class S>
-using CondensedSpoke = std::array<S, 21 + 6>;
-
-// Calls f(row, column, number) for the lower triangle of a 6x6 matrix, column by column.
-template <class F>
-HAMILCAR_CORE void for_each_lower(F&& f) {
-    std::size_t next = 0;
-#pragma GCC unroll 6
-    for (int j = 0; j < 6; ++j) {
-#pragma GCC unroll 6
-        for (int i = j; i < 6; ++i) f(i, j, next++);
-    }
 }
 
 // Positions, inertia and condensed momentum of one spoke.
@@ -172,7 +140,7 @@ HAMILCAR_CORE Velocity<T, S> velocity_block_of(const Model<T>& model, const Stat
     });
     PlaceSum<T, S, std::tuple_size_v<CondensedSpoke<S>>> condensed;
     const RackMotion<S> rack = abreast<S>(input.rack);
-    vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
+    vehicle.template for_each_row<S>([&](const auto& row, int) HAMILCAR_INLINED {
         const auto numbers = gather_row<S>(state, row.index);
         dispatch(row.spokes.suspension, [&](const auto& suspension) HAMILCAR_INLINED {
             using Kind = std::decay_t<decltype(suspension)>;
@@ -184,7 +152,12 @@ HAMILCAR_CORE Velocity<T, S> velocity_block_of(const Model<T>& model, const Stat
             out.health.include(inspect_spoke<T>(row.spokes, spoke, row.count));
         });
     });
-    out.hub = solve_hub(vehicle.chassis_inertia, out.momentum, condensed.total());
+    CondensedSpoke<T> total = condensed.total();
+    if (vehicle.has_composed()) {
+        const CondensedSpoke<T> rest = condense_composed(model, state, input.rack, out.composed, out.health);
+        for (std::size_t i = 0; i < total.size(); ++i) total[i] += rest[i];
+    }
+    out.hub = solve_hub(vehicle.chassis_inertia, out.momentum, total);
     const Spatial<S> hub = abreast<S>(out.hub);
     vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
         visit_spoke(row.spokes, out, i, [&](const auto&, const auto&, auto& spoke) HAMILCAR_INLINED {
@@ -193,6 +166,7 @@ HAMILCAR_CORE Velocity<T, S> velocity_block_of(const Model<T>& model, const Stat
             if constexpr (std::decay_t<decltype(spoke.position)>::drifts) spoke.motion += spoke.position.x;
         });
     });
+    if (vehicle.has_composed()) move_composed(vehicle, out.hub, out.composed);
     return out;
 }
 

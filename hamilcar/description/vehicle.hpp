@@ -11,11 +11,13 @@
 #include <variant>
 #include <vector>
 
+#include "hamilcar/description/linkage.hpp"
+
 namespace hamilcar {
 
-inline constexpr int max_spokes = 12;  // wheels a car may have, one to a corner
-
-using Point = std::array<double, 3>;  // [m], vehicle frame, or a direction [1]
+inline constexpr int max_spokes = 12;    // corners of the kinds that have a program of their own
+inline constexpr int max_composed = 40;  // suspensions composed of parts
+inline constexpr int max_trailers = 8;
 
 // A rigid body; inertia about its own center of mass, axes parallel to the vehicle frame at design.
 struct BodyDescription {
@@ -128,6 +130,73 @@ struct AntiRollBarDescription {
     double rate = 0;                  // [N/m]
 };
 
+// Any suspension as a composition of parts: an axle with two wheels, or one wheel's own. The motor vehicle is unit 0,
+// trailer i unit i + 1.
+struct ComposedBodyDescription {
+    std::size_t part = 1;
+    BodyDescription body;
+};
+
+struct ComposedWheelDescription {
+    std::string name;      // "rear_left": prefix of its channels
+    std::size_t part = 1;  // the carrier
+    WheelDescription wheel;
+    double dual_spacing = 0;  // two tires that far apart along the spin axis; zero: one tire [m]
+    StopDescription bump, rebound;
+    TireDescription tire;
+    BrakeDescription brake;
+    double drive_share = 0;  // of the drive torque at this wheel [1]
+    bool live_axle = false;  // the drive torque reacts on the carrier, which holds the differential, not on the chassis
+};
+
+// What a spring or a damper acts along: between two points, or along (about) a coordinate of the linkage.
+struct LineDescription {
+    std::size_t part = 1, base = 0;
+    Point on_part{}, on_base{};
+    std::optional<int> coordinate;
+};
+
+struct ComposedSpringDescription {
+    std::string name;  // of the wheel it belongs to, prefix of its channels
+    LineDescription line;
+    SpringDescription spring;  // along a rotation: [N m/rad], [N m]
+};
+
+struct ComposedDamperDescription {
+    std::string name;
+    LineDescription line;
+    DamperDescription damper;
+};
+
+struct ComposedSpokeDescription {
+    std::string name;        // "rear", or "rear_left" where each wheel has its own
+    std::string suspension;  // keyword
+    std::size_t unit = 0;    // what it hangs on
+    LinkageDescription linkage;
+    std::vector<ComposedBodyDescription> bodies;
+    std::vector<ComposedWheelDescription> wheels;
+    std::vector<ComposedSpringDescription> springs;
+    std::vector<ComposedDamperDescription> dampers;
+};
+
+// A bar between two wheels of composed suspensions, numbered through all of them in order.
+struct ComposedBarDescription {
+    std::size_t left = 0, right = 0;
+    double rate = 0;  // [N/m] of wheel travel difference
+};
+
+// ball: three rotations, roll, pitch and yaw; fifth_wheel: yaw and pitch, roll is passed on.
+enum class Hitch { ball, fifth_wheel };
+
+struct TrailerDescription {
+    std::string name;
+    Hitch hitch = Hitch::ball;
+    std::size_t tow = 0;     // the unit that pulls it, one of those before
+    Point hitch_point{};     // in the motor vehicle's frame while the combination stands straight, as all its points
+    double yaw_damping = 0;  // [N m s/rad]
+    BodyDescription chassis;
+};
+
 struct AerodynamicsDescription {
     double drag_area = 0;    // C_d A [m^2]
     double air_density = 0;  // [kg/m^3]
@@ -152,6 +221,9 @@ struct VehicleDescription {
     BodyDescription chassis;
     std::vector<CornerDescription> corners;
     std::vector<AntiRollBarDescription> anti_roll_bars;
+    std::vector<ComposedSpokeDescription> composed;
+    std::vector<ComposedBarDescription> composed_bars;
+    std::vector<TrailerDescription> trailers;
     AerodynamicsDescription aerodynamics;
     HullDescription hull;
     SteeringDescription steering;

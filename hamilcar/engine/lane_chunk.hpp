@@ -20,7 +20,7 @@ public:
 
     LaneChunk(const LaneCar* cars, int count, const ChunkSettings& settings)
         : settings_(settings),
-          size_(State<T>::size(cars[0].model->vehicle.spoke_count())),
+          size_(cars[0].model->vehicle.state_size),
           integrator_(settings.method, settings.step, size_),
           count_(count) {
         for (int i = 0; i < lanes; ++i) {

@@ -8,27 +8,37 @@ namespace hamilcar::io {
 namespace {
 
 template <class... Points>
-void mirror(Points&... points) {
+void mirror_points(Points&... points) {
     ((points[1] = -points[1]), ...);
 }
 
 void mirror_hardpoints(MacPhersonDescription& p) {
-    mirror(p.strut_top, p.slide_point, p.arm_front, p.arm_rear, p.ball_joint, p.rack_end, p.tie_rod_outer);
+    mirror_points(p.strut_top, p.slide_point, p.arm_front, p.arm_rear, p.ball_joint, p.rack_end, p.tie_rod_outer);
 }
 
 void mirror_hardpoints(SemiTrailingArmDescription& p) {
-    mirror(p.inner_bush, p.outer_bush, p.spring_arm, p.spring_body, p.damper_arm, p.damper_body);
+    mirror_points(p.inner_bush, p.outer_bush, p.spring_arm, p.spring_body, p.damper_arm, p.damper_body);
 }
 
 }  // namespace
 
+void mirror(BodyDescription& body) {
+    mirror_points(body.center_of_mass);
+    auto& [xy, yz, xz] = body.products;
+    xy = -xy, yz = -yz;
+}
+
+WheelDescription mirrored(WheelDescription wheel) {
+    mirror_points(wheel.center);
+    auto& [a, b, c] = wheel.spin_axis;
+    a = -a, c = -c;
+    return wheel;
+}
+
 CornerDescription mirrored(CornerDescription corner) {
     std::visit([](auto& points) { mirror_hardpoints(points); }, corner.suspension);
-    mirror(corner.carrier.center_of_mass, corner.wheel.center);
-    auto& [xy, yz, xz] = corner.carrier.products;
-    xy = -xy, yz = -yz;
-    auto& [a, b, c] = corner.wheel.spin_axis;
-    a = -a, c = -c;
+    mirror(corner.carrier);
+    corner.wheel = mirrored(corner.wheel);
     return corner;
 }
 

@@ -8,4 +8,7 @@ namespace hamilcar::io {
 // Everything but the name.
 CornerDescription mirrored(CornerDescription left);
 
+WheelDescription mirrored(WheelDescription left);
+void mirror(BodyDescription& body);
+
 }  // namespace hamilcar::io

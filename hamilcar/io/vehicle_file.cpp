@@ -7,8 +7,10 @@
 
 #include "hamilcar/io/axle_file.hpp"
 #include "hamilcar/io/body_file.hpp"
+#include "hamilcar/io/composed_axle_file.hpp"
 #include "hamilcar/io/mirror.hpp"
 #include "hamilcar/io/number_text.hpp"
+#include "hamilcar/suspension/list.hpp"
 
 namespace hamilcar::io {
 
@@ -47,17 +49,17 @@ SteeringDescription read_steering(const std::optional<TableReader>& table) {
     return {table->number("rack_m_per_revolution", positive), table->number("rack_travel_m", positive)};
 }
 
-// Axle names become parts of channel and file names.
-void check_name(const TableReader& axle, const std::vector<CornerDescription>& before) {
-    const std::string name = axle.text("name");
+// Names become parts of channel and file names.
+void check_name(const TableReader& table, std::vector<std::string>& taken) {
+    const std::string name = table.text("name");
     const auto allowed = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
-    axle.expect(std::ranges::all_of(name, allowed), "name", "letters, digits and '_' only");
-    const auto taken = [&](const CornerDescription& corner) { return corner.name == name + "_left"; };
-    axle.expect(std::ranges::none_of(before, taken), "name", "a name that no other axle has");
+    table.expect(std::ranges::all_of(name, allowed), "name", "letters, digits and '_' only");
+    table.expect(std::ranges::find(taken, name) == taken.end(), "name", "a name that no other axle or trailer has");
+    taken.push_back(name);
 }
 
-void read_axle(const TableReader& axle, const NamedTires& tires, VehicleDescription& vehicle) {
-    check_name(axle, vehicle.corners);
+// Both sides of an axle whose suspension has a program of its own.
+void read_corners(const TableReader& axle, const NamedTires& tires, VehicleDescription& vehicle) {
     const std::size_t left = vehicle.corners.size();
     vehicle.corners.push_back(read_left_corner(axle, tires));
     vehicle.corners.push_back(mirrored(vehicle.corners.back()));
@@ -65,6 +67,56 @@ void read_axle(const TableReader& axle, const NamedTires& tires, VehicleDescript
     if (const auto bar = axle.optional_table("anti_roll_bar")) {
         vehicle.anti_roll_bars.push_back({left, left + 1, bar->number("rate_N_per_m", not_negative)});
     }
+}
+
+bool has_own_program(const TableReader& axle) {
+    const std::vector<std::string_view> words = suspension_keywords();
+    const std::string_view word = words[axle.one_of("suspension", words)];
+    return word == MacPherson<double>::keyword || word == SemiTrailingArm<double>::keyword;
+}
+
+void read_axles(const TableReader& owner, const NamedTires& tires, std::size_t unit, std::vector<std::string>& names,
+                VehicleDescription& vehicle) {
+    for (const TableReader& axle : owner.tables("axle")) {
+        check_name(axle, names);
+        const bool own = unit == 0 && has_own_program(axle) && vehicle.corners.size() + 2 <= max_spokes;
+        if (own) {
+            read_corners(axle, tires, vehicle);
+        } else {
+            read_composed_axle(axle, tires, unit, vehicle);
+        }
+    }
+    owner.expect(vehicle.composed.size() <= max_composed, "axle",
+                 std::to_string(max_composed) + " suspensions at most");
+}
+
+void read_trailer(const TableReader& table, const NamedTires& tires, std::vector<std::string>& names,
+                  VehicleDescription& vehicle) {
+    check_name(table, names);
+    constexpr std::string_view hitches[] = {"ball", "fifth_wheel"};
+    TrailerDescription trailer;
+    trailer.name = table.text("name");
+    trailer.hitch = static_cast<Hitch>(table.one_of("hitch", hitches));
+    if (table.has("tow")) {
+        std::vector<std::string_view> before;
+        for (const TrailerDescription& other : vehicle.trailers) before.push_back(other.name);
+        table.expect(!before.empty(), "tow", "the name of a trailer that stands before this one in the file");
+        trailer.tow = table.one_of("tow", before) + 1;
+    }
+    trailer.hitch_point = table.array<3>("hitch_m");
+    trailer.yaw_damping = table.number("yaw_damping_N_m_s_per_rad", not_negative, 0);
+    trailer.chassis = read_body(table.table("chassis"));
+    vehicle.trailers.push_back(trailer);
+    read_axles(table, tires, vehicle.trailers.size(), names, vehicle);
+}
+
+double driven_share(const VehicleDescription& vehicle) {
+    double driven = 0;
+    for (const CornerDescription& corner : vehicle.corners) driven += corner.drive_share;
+    for (const ComposedSpokeDescription& spoke : vehicle.composed) {
+        for (const ComposedWheelDescription& wheel : spoke.wheels) driven += wheel.drive_share;
+    }
+    return driven;
 }
 
 }  // namespace
@@ -77,19 +129,25 @@ VehicleDescription read_vehicle(const std::string& path) {
                                .chassis = chassis,
                                .corners = {},
                                .anti_roll_bars = {},
+                               .composed = {},
+                               .composed_bars = {},
+                               .trailers = {},
                                .aerodynamics = read_aerodynamics(file.optional_table("aerodynamics"), chassis),
                                .hull = read_hull(file.optional_table("hull")),
                                .steering = read_steering(file.optional_table("steering")),
                                .gravity = file.number("gravity_m_per_s2", not_negative, 9.80665)};
     const NamedTires tires = read_tires(file);
-    const std::vector<TableReader> axles = file.tables("axle");
-    file.expect(axles.size() <= max_spokes / 2, "axle", "at most " + std::to_string(max_spokes / 2) + " axles");
-    for (const TableReader& axle : axles) read_axle(axle, tires, vehicle);
-
-    double driven = 0;
-    for (const CornerDescription& corner : vehicle.corners) driven += corner.drive_share;
-    axles.back().expect(driven == 0 || std::abs(driven - 1) < 1e-9, "drive_share",
-                        "shares of all axles that add up to 1, or to 0 (here " + number_text(driven) + ")");
+    std::vector<std::string> names;
+    read_axles(file, tires, 0, names, vehicle);
+    if (file.has("trailer")) {
+        for (const TableReader& trailer : file.tables("trailer")) read_trailer(trailer, tires, names, vehicle);
+        file.expect(vehicle.trailers.size() <= max_trailers, "trailer",
+                    std::to_string(max_trailers) + " trailers at most");
+    }
+    const double driven = driven_share(vehicle);
+    file.tables("axle").back().expect(
+        driven == 0 || std::abs(driven - 1) < 1e-9, "drive_share",
+        "shares of all axles that add up to 1, or to 0 (here " + number_text(driven) + ")");
     file.finish();
     return vehicle;
 }

@@ -13,16 +13,11 @@
 #include <utility>
 
 #include "hamilcar/linkage/cut_joints.hpp"
+#include "hamilcar/linkage/rack_motion.hpp"
 #include "hamilcar/linkage/tree.hpp"
 #include "hamilcar/math/small_solve.hpp"
 
 namespace hamilcar {
-
-// The rack: the paper's beta(t) = q17 with its rates [m, m/s, m/s^2].
-template <class T>
-struct RackMotion {
-    T displacement{0}, rate{0}, acceleration{0};
-};
 
 template <int... I>
 struct Coordinates {

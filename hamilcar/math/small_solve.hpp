@@ -1,4 +1,4 @@
-// Small fixed-size solves without pivoting or branches, so that doubles, lanes and duals take the same path.
+// Small solves without branches, so that doubles, lanes and duals take the same path.
 #pragma once
 
 #include "hamilcar/math/eigen.hpp"
@@ -26,6 +26,39 @@ HAMILCAR_CORE Inverse<T, 3> inverse(const Matrix<T, 3, 3>& A) {
     Matrix<T, 3, 3> result;
     result.row(0) = bc * scale, result.row(1) = ca * scale, result.row(2) = ab * scale;
     return {result, determinant};
+}
+
+// Turns the leading n x n block of A into its inverse and returns its determinant, by Gauss and Jordan with partial
+// pivoting. Rows trade places by choices, pair by pair, so that every lane may have its own order.
+template <class T, int most>
+T invert_in_place(Matrix<T, most, most>& A, int n) {
+    Matrix<T, most, most> B;
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) B(i, j) = T(i == j ? 1 : 0);
+    }
+    T determinant(1);
+    for (int k = 0; k < n; ++k) {
+        for (int r = k + 1; r < n; ++r) {
+            const auto trade = abs(A(r, k)) > abs(A(k, k));
+            determinant = select(trade, T(-determinant), determinant);
+            for (int j = 0; j < n; ++j) {
+                for (Matrix<T, most, most>* M : {&A, &B}) {
+                    const T upper = (*M)(k, j), lower = (*M)(r, j);
+                    (*M)(k, j) = select(trade, lower, upper), (*M)(r, j) = select(trade, upper, lower);
+                }
+            }
+        }
+        determinant *= A(k, k);
+        const T scale = T(1) / A(k, k);
+        for (int j = 0; j < n; ++j) A(k, j) *= scale, B(k, j) *= scale;
+        for (int r = 0; r < n; ++r) {
+            if (r == k) continue;
+            const T factor = A(r, k);
+            for (int j = 0; j < n; ++j) A(r, j) -= factor * A(k, j), B(r, j) -= factor * B(k, j);
+        }
+    }
+    A = B;
+    return determinant;
 }
 
 // The inverse of a symmetric one, of which only the lower triangle is read.

@@ -54,6 +54,9 @@ void check_inputs(const ScenarioDescription& scenario, const VehicleDescription&
     }
     double driven = 0;
     for (const CornerDescription& corner : vehicle.corners) driven += corner.drive_share;
+    for (const ComposedSpokeDescription& spoke : vehicle.composed) {
+        for (const ComposedWheelDescription& wheel : spoke.wheels) driven += wheel.drive_share;
+    }
     for (const double torque : scenario.drive.value) {
         if (torque == 0 || driven > 0) continue;
         reject("inputs.drive",
@@ -94,8 +97,8 @@ Simulation::Simulation(VehicleDescription vehicle, ScenarioDescription scenario)
       model_(make_model(vehicle_, scenario_)),
       engine_(&best_engine()),
       schedule_(scenario_, vehicle_.steering),
-      integrator_(require_method(scenario_.solver), scenario_.solver.step,
-                  State<double>::size(model_.vehicle.spoke_count()), scenario_.solver.tolerance),
+      integrator_(require_method(scenario_.solver), scenario_.solver.step, model_.vehicle.state_size,
+                  scenario_.solver.tolerance),
       total_steps_(std::lround(scenario_.duration / scenario_.solver.step)) {
     check_inputs(scenario_, vehicle_);
     check_rack(scenario_, vehicle_.steering);
@@ -138,34 +141,34 @@ void Simulation::start() {
 }
 
 std::optional<End> Simulation::advance() {
-    const State<double> last_good = state_;
+    copy_state(state_, model_.vehicle.state_size, last_good_);
     const Health<double> health = engine_->advance_car(model_, integrator_, schedule_, time(), state_);
     const std::string problem = inspect(health);
     if (problem.empty()) {
         ++step_count_;
         return std::nullopt;
     }
-    state_ = last_good;
+    copy_state(last_good_, model_.vehicle.state_size, state_);
     return End{time(), fmt::format("at t = {:.6g} s: {}; the results end at t = {:.6g} s", time() + integrator_.step(),
                                    problem, time())};
 }
 
 void Simulation::save(Snapshot& to) const {
     to.step_count = step_count_;
-    std::copy_n(state_.values.begin(), State<double>::size(model_.vehicle.spoke_count()), to.state.values.begin());
+    copy_state(state_, model_.vehicle.state_size, to.state);
     integrator_.save(to.memory);
 }
 
 void Simulation::restore(const Snapshot& from) {
     step_count_ = from.step_count;
-    std::copy_n(from.state.values.begin(), State<double>::size(model_.vehicle.spoke_count()), state_.values.begin());
+    copy_state(from.state, model_.vehicle.state_size, state_);
     integrator_.restore(from.memory);
 }
 
 // What is wrong after a step, or nothing: all numbers finite, loops closed, linkages free.
 std::string Simulation::inspect(const Health<double>& health) const {
     double sum = 0;
-    for (int i = 0; i < State<double>::size(model_.vehicle.spoke_count()); ++i) sum += 0 * state_.values[i];
+    for (int i = 0; i < model_.vehicle.state_size; ++i) sum += 0 * state_.values[i];
     if (sum != 0) return "the state is no longer finite; try a smaller step or a smaller stabilization gain";
     if (!integrator_.converged()) {
         return fmt::format("{} cannot meet the tolerance {:g} with any step", integrator_.method().name,
@@ -175,7 +178,7 @@ std::string Simulation::inspect(const Health<double>& health) const {
     if (!locks && !health.comes_apart()) return {};
     const RackMotion<double> rack = schedule_(time()).rack;
     LoopReport worst = inspect_loops(model_, rack, state_, 0);
-    for (int i = 1; i < model_.vehicle.spoke_count(); ++i) {
+    for (int i = 1; i < loop_count(model_.vehicle); ++i) {
         const LoopReport loop = inspect_loops(model_, rack, state_, i);
         if (locks ? loop.mobility < worst.mobility : loop.opening > worst.opening) worst = loop;
     }
@@ -197,13 +200,23 @@ std::string Simulation::assembly_problem(const LoopReport& loop) const {
                        corner_name(loop.spoke), cut_name(loop), 1e3 * loop.opening, 1e3 * assembly_tolerance);
 }
 
+std::string Simulation::corner_name(int spoke) const {
+    const auto i = static_cast<std::size_t>(spoke);
+    return i < vehicle_.corners.size() ? vehicle_.corners[i].name : vehicle_.composed[i - vehicle_.corners.size()].name;
+}
+
 std::string Simulation::cut_name(const LoopReport& loop) const {
-    return std::visit(
-        [&](const auto& s) {
-            return loop.cut < 0 ? std::string("no joint")
-                                : std::string(s.cut_names[static_cast<std::size_t>(loop.cut)]);
-        },
-        model_.vehicle.spokes[static_cast<std::size_t>(loop.spoke)].suspension);
+    if (loop.cut < 0) return "no joint";
+    const auto i = static_cast<std::size_t>(loop.spoke);
+    if (i >= vehicle_.corners.size()) {
+        int equation = loop.cut;
+        for (const CutJointDescription& cut : vehicle_.composed[i - vehicle_.corners.size()].linkage.cuts) {
+            if (equation < equations(cut.kind)) return cut.name;
+            equation -= equations(cut.kind);
+        }
+    }
+    return std::visit([&](const auto& s) { return std::string(s.cut_names[static_cast<std::size_t>(loop.cut)]); },
+                      model_.vehicle.spokes[i].suspension);
 }
 
 Sample Simulation::sample() const {
@@ -221,15 +234,23 @@ Sample Simulation::sample() const {
     s.momenta = momenta_block(model_, state_, input, s.velocity);
     s.energy = energy(model_, state_, s.velocity, s.momenta);
     if (!model_.energy_balance) s.energy.work = std::numeric_limits<double>::quiet_NaN();  // nobody kept it
-    for (int i = 0; i < model_.vehicle.spoke_count(); ++i) {
+    for (int i = 0; i < loop_count(model_.vehicle); ++i) {
         const LoopReport loop = inspect_loops(model_, input.rack, state_, i);
         s.violation = std::max(s.violation, loop.opening);
         s.mobility = std::min(s.mobility, loop.mobility);
+    }
+    for (int i = 0; i < model_.vehicle.spoke_count(); ++i) {
         visit_spoke(model_.vehicle, s.velocity, i, [&](const auto&, const auto&, const auto& at) {
             if constexpr (std::decay_t<decltype(at.position.Phi)>::SizeAtCompileTime > 0) {
                 s.constraint_norm += at.position.Phi.squaredNorm();
             }
         });
+    }
+    for (std::size_t i = 0; i < model_.vehicle.composed.size(); ++i) {
+        for (int e = 0; e < model_.vehicle.composed[i].linkage.nW(); ++e) {
+            const double Phi = s.velocity.composed.spokes[i].at.Phi[static_cast<std::size_t>(e)];
+            s.constraint_norm += Phi * Phi;
+        }
     }
     s.constraint_norm = std::sqrt(s.constraint_norm);
     return s;

@@ -36,7 +36,7 @@ struct End {
 };
 
 // A place in a run to come back to: the numbers that the rest of the run depends on. A plain copy, and one without
-// allocation; of its 8 kB saving and restoring touch only what the car and the method use.
+// allocation; of its 40 kB saving and restoring touch only what the car and the method use.
 struct Snapshot {
     long step_count = 0;
     State<double> state;
@@ -79,7 +79,7 @@ private:
     std::string inspect(const Health<double>& health) const;
     std::string assembly_problem(const LoopReport& loop) const;
     std::string cut_name(const LoopReport& loop) const;
-    std::string corner_name(int spoke) const { return vehicle_.corners[static_cast<std::size_t>(spoke)].name; }
+    std::string corner_name(int spoke) const;
 
     VehicleDescription vehicle_;
     ScenarioDescription scenario_;
@@ -87,7 +87,7 @@ private:
     const Engine* engine_;
     Schedule schedule_;
     Integrator<State<double>> integrator_;
-    State<double> state_;
+    State<double> state_, last_good_;
     long step_count_ = 0, total_steps_ = 0;
     double initial_balance_ = 0;
 };

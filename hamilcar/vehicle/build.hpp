@@ -4,16 +4,10 @@
 #include <stdexcept>
 
 #include "hamilcar/math/convert.hpp"
+#include "hamilcar/vehicle/build_composed.hpp"
 #include "hamilcar/vehicle/vehicle.hpp"
 
 namespace hamilcar {
-
-template <class T>
-RigidBody<T> make_body(const BodyDescription& d) {
-    return {T(d.mass),
-            as<T>(vec3(d.center_of_mass)),
-            {T(d.inertia[0]), T(d.inertia[1]), T(d.inertia[2]), T(d.products[0]), T(d.products[1]), T(d.products[2])}};
-}
 
 // What the design position fixes once: the length at which the spring's preload is stated, and det Phi_w.
 template <class T>
@@ -36,12 +30,11 @@ Spoke<T> make_spoke(const CornerDescription& d) {
     const auto design = std::visit([](const auto& s) { return design_figures<T>(s); }, suspension);
     return {.suspension = suspension,
             .carrier = make_body<T>(d.carrier),
-            .wheel = {as<T>(vec3(d.wheel.center)), as<T>(vec3(d.wheel.spin_axis).normalized()), T(d.wheel.spin_inertia),
-                      T(1 / d.wheel.spin_inertia)},
+            .wheel = make_wheel<T>(d.wheel),
             .spring = {T(d.spring.rate), T(d.spring.force_at_design), design.spring_length},
             .damper = Damper<T>(d.damper),
-            .bump = {T(d.bump.gap), T(d.bump.rate), T(d.bump.progression)},
-            .rebound = {T(d.rebound.gap), T(d.rebound.rate), T(d.rebound.progression)},
+            .bump = make_stop<T>(d.bump),
+            .rebound = make_stop<T>(d.rebound),
             .tire = make_tire<T>(d.tire),
             .brake = Brake<T>(d.brake),
             .drive_share = T(d.drive_share),
@@ -56,16 +49,43 @@ Vehicle<T>::Vehicle(const VehicleDescription& d)
       hull(d.hull),
       gravity(d.gravity),
       total_mass(chassis.mass) {
-    if (d.corners.size() > std::size_t{max_spokes}) throw std::length_error("a vehicle has at most 12 spokes");
+    if (d.corners.size() > std::size_t{max_spokes}) throw std::length_error("a vehicle has at most 12 such corners");
     for (const auto& corner : d.corners) {
         spokes.push_back(make_spoke<T>(corner));
         total_mass += spokes.back().carrier.mass;
     }
-    for (const auto& bar : d.anti_roll_bars) {
-        anti_roll_bars.push_back({static_cast<int>(bar.left), static_cast<int>(bar.right), T(bar.rate)});
-    }
+    const auto add_bars = [](const auto& from, std::vector<AntiRollBar<T>>& to) {
+        for (const auto& bar : from) {
+            to.push_back({static_cast<int>(bar.left), static_cast<int>(bar.right), T(bar.rate)});
+        }
+    };
+    add_bars(d.anti_roll_bars, anti_roll_bars);
+    add_bars(d.composed_bars, composed_bars);
     places = places_of(spokes);
     if constexpr (!std::is_same_v<Abreast<T>, T>) rows = in_rows<Abreast<T>, Spoke>(spokes, places);
+    state_size = hub_size + spoke_size * spoke_count();
+    add_composed(d);
+}
+
+// Those after the corners, one after the other.
+template <class T>
+void Vehicle<T>::add_composed(const VehicleDescription& d) {
+    if (d.composed.size() > std::size_t{max_composed} || d.trailers.size() > std::size_t{max_trailers}) {
+        throw std::length_error("a vehicle has at most 40 composed suspensions and 8 trailers");
+    }
+    int wheel_count = 0;
+    for (const ComposedSpokeDescription& spoke : d.composed) {
+        composed.push_back(make_composed<T>(spoke, state_size, wheel_count));
+        state_size += composed_size(composed.back());
+        wheel_count += static_cast<int>(spoke.wheels.size());
+        for (const ComposedBody<T>& body : composed.back().bodies) total_mass += body.body.mass;
+    }
+    for (const TrailerDescription& trailer : d.trailers) {
+        trailers.push_back(make_trailer<T>(trailer, state_size));
+        state_size += 2 * trailers.back().freedoms();
+        total_mass += trailers.back().chassis.mass;
+    }
+    if (state_size > state_capacity) throw std::length_error("the vehicle has more coordinates than a state can hold");
 }
 
 }  // namespace hamilcar

@@ -2,10 +2,12 @@
 //
 //   hub    position r (3), orientation (4), momentum (6), work (1)
 //   spoke  independent V, dependent W, momentum P_V, spin momentum p_s, tire deflections u and v, brake wind-up
+//   then suspensions composed of parts, and trailers (composed.hpp)
 // The meaning of orientation and momentum is the chart's (chart.hpp); `work` is what left and entered as non-conservative
 // power, integrated along so that the energy balance can be checked at any time.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "hamilcar/vehicle/vehicle.hpp"
@@ -21,8 +23,6 @@ struct SpokeState {
     Number& brake_windup;                        // b [rad]
 };
 
-inline constexpr int spoke_size = 2 * max_independent + max_dependent + 4;
-
 template <class Number>
 HAMILCAR_CORE SpokeState<Number> spoke_view(Number* at) {
     constexpr int V = max_independent, W = max_dependent;
@@ -32,11 +32,8 @@ HAMILCAR_CORE SpokeState<Number> spoke_view(Number* at) {
 
 template <class T>
 struct State {
-    static constexpr int hub_size = 14;
-    std::array<T, hub_size + max_spokes * spoke_size> values{};
-
-    // Numbers in use by a car with that many spokes: a prefix of `values`.
-    static constexpr int size(int spokes) { return hub_size + spokes * spoke_size; }
+    static constexpr int hub_size = hamilcar::hub_size;
+    std::array<T, state_capacity> values{};  // a vehicle uses the first `state_size` of them
 
     auto position() { return Eigen::Map<Vec3<T>>(values.data()); }
     auto position() const { return Eigen::Map<const Vec3<T>>(values.data()); }
@@ -49,6 +46,12 @@ struct State {
     SpokeState<T> spoke(int i) { return spoke_view(values.data() + hub_size + i * spoke_size); }
     SpokeState<const T> spoke(int i) const { return spoke_view(values.data() + hub_size + i * spoke_size); }
 };
+
+// The numbers of a vehicle, from one state to another.
+template <class T>
+void copy_state(const State<T>& from, int size, State<T>& to) {
+    std::copy_n(from.values.begin(), size, to.values.begin());
+}
 
 // The shares of spokes abreast, number by number.
 template <class S>

@@ -6,25 +6,14 @@
 #include <tuple>
 #include <vector>
 
-#include "hamilcar/driveline/brake.hpp"
-#include "hamilcar/force/axial.hpp"
 #include "hamilcar/force/hull.hpp"
 #include "hamilcar/suspension/list.hpp"
 #include "hamilcar/tire/list.hpp"
+#include "hamilcar/vehicle/composed.hpp"
+#include "hamilcar/vehicle/layout.hpp"
 #include "hamilcar/vehicle/row.hpp"
 
 namespace hamilcar {
-
-// A wheel turns about an axis of its carrier; only its spin inertia is its own, the rest counts with the carrier.
-template <class T>
-struct Wheel {
-    Vec3<T> center, axis;  // at design [m], unit
-    T spin_inertia;        // [kg m^2]
-    T inverse_spin_inertia;
-    static constexpr auto members() {
-        return std::tuple(&Wheel::center, &Wheel::axis, &Wheel::spin_inertia, &Wheel::inverse_spin_inertia);
-    }
-};
 
 template <class T>
 struct Spoke {
@@ -47,7 +36,7 @@ struct Spoke {
 
 template <class T>
 struct AntiRollBar {
-    int left, right;  // spokes
+    int left, right;  // spokes, or wheels of composed ones
     T rate;           // [N/m] of wheel travel difference
     static constexpr auto members() { return std::tuple(&AntiRollBar::left, &AntiRollBar::right, &AntiRollBar::rate); }
 };
@@ -65,21 +54,29 @@ struct Vehicle {
     SpatialInertia<T> chassis_inertia;  // about the vehicle origin
     std::vector<Spoke<T>> spokes;
     std::vector<AntiRollBar<T>> anti_roll_bars;
+    std::vector<ComposedSpoke<T>> composed;
+    std::vector<AntiRollBar<T>> composed_bars;
+    std::vector<Trailer<T>> trailers;
     Aerodynamics<T> aerodynamics;
     Hull<T> hull;
     T gravity;     // [m/s^2]
-    T total_mass;  // [kg]
+    T total_mass;  // of everything [kg]
+    int state_size;
     static constexpr auto members() {
         using V = Vehicle;
-        return std::tuple(&V::chassis, &V::chassis_inertia, &V::spokes, &V::anti_roll_bars, &V::aerodynamics, &V::hull,
-                          &V::gravity, &V::total_mass, &V::places);
+        return std::tuple(&V::chassis, &V::chassis_inertia, &V::spokes, &V::anti_roll_bars, &V::composed,
+                          &V::composed_bars, &V::trailers, &V::aerodynamics, &V::hull, &V::gravity, &V::total_mass,
+                          &V::state_size, &V::places);
     }
     std::vector<int> places;                   // of the spokes in rows of two
     std::vector<Row<Spoke<Abreast<T>>>> rows;  // the same spokes abreast, where T has room for that
 
     Vehicle() = default;
     explicit Vehicle(const VehicleDescription& description);
+    bool has_composed() const { return !composed.empty() || !trailers.empty(); }
     int spoke_count() const { return static_cast<int>(spokes.size()); }
+
+    void add_composed(const VehicleDescription& description);
 
     // Calls f(row, its number) for the spokes one by one (S = T) or abreast (S = Abreast<T>).
     template <class S, class F>

@@ -18,7 +18,7 @@ std::vector<double> natural_frequencies() {
     assemble(model, input.rack, rest);
     EXPECT_TRUE(settle(model, input, rest).found);
     set_velocities(model, input, Spatial<double>::Zero(), rest);
-    const int n = State<double>::size(model.vehicle.spoke_count());
+    const int n = model.vehicle.state_size;
     Eigen::MatrixXd A(n, n);
     for (int j = 0; j < n; ++j) {
         const double step = 1e-5;

@@ -114,7 +114,7 @@ void expect_same_bits(ChassisChart chart, double gain) {
     Health<Counted> same_health;
     const OperationCount cost =
         cost_of([&] { same_health = evaluate(counting, same_input, same_state, same_rate).health; });
-    for (std::size_t i = 0; i < static_cast<std::size_t>(State<double>::size(4)); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(hub_size + 4 * spoke_size); ++i) {
         EXPECT_EQ(std::bit_cast<std::uint64_t>(rate.values[i]),
                   std::bit_cast<std::uint64_t>(same_rate.values[i].value()))
             << "number " << i << " of the state: " << rate.values[i] << " and " << same_rate.values[i].value();

@@ -1,0 +1,306 @@
+// The Momenta block for composed suspensions and trailers: the same equations, with sums over a spoke's bodies,
+//     P_V' = sum J^T (Qhat - v_hub x* h) + sum J'^T h + sum F dl/dV                       // (71)
+// and for a hitch with h and Qhat of everything behind it, so that a trailer is a body like any other.
+#pragma once
+
+#include "hamilcar/block/velocity.hpp"
+#include "hamilcar/block/wheel_momenta.hpp"
+
+namespace hamilcar {
+
+template <class T>
+struct ComposedWheelForces : WheelForces<T> {
+    std::array<TireForces<T>, max_tires_abreast> tires;  // the first is also the wheel's own
+};
+
+template <class T>
+struct AxialForce {
+    T force, length, rate;  // [N, m, m/s], or [N m, rad, rad/s]
+};
+
+template <class T>
+struct ComposedMomenta {
+    std::array<T, max_freedoms> momentum_rate;
+    std::array<T, max_equations> W_rate;
+    std::array<T, max_wheels> spin_momentum_rate, windup_rate;
+    std::array<ComposedWheelForces<T>, max_wheels> wheels;
+    std::array<AxialForce<T>, max_axial_elements> springs, dampers;
+    ComposedMomenta() {}
+};
+
+template <class T>
+struct TrailerMomenta {
+    std::array<T, max_freedoms> momentum_rate;
+    Spatial<T> external;           // on the trailer and all it pulls, in its axes about its origin
+    Surroundings<T> surroundings;  // as seen from its axes
+    TrailerMomenta() {}
+};
+
+template <class T>
+struct ComposedMomentaOfAll {
+    StaticVector<ComposedMomenta<T>, max_composed> spokes;
+    StaticVector<TrailerMomenta<T>, max_trailers> trailers;
+};
+
+// The forces and rates of one spoke, and what they add to its unit.
+template <class T>
+class ComposedSpokeMomenta {
+public:
+    ComposedSpokeMomenta(const ComposedSpoke<T>& spoke, const ComposedVelocity<T>& velocity, const T* values,
+                         const Input<T>& input, const Surroundings<T>& world, bool with_work, ComposedMomenta<T>& out)
+        : spoke_(spoke),
+          velocity_(velocity),
+          at_(velocity.at),
+          values_(values),
+          input_(input),
+          world_(world),
+          with_work_(with_work),
+          out_(out),
+          n_(spoke.linkage.nV()) {
+        spoke.linkage.find_rates(at_, velocity.own.V_rate, input.rack, rates_);
+        if (with_work) spoke.linkage.find_drift_rates(at_, rates_, input.rack, world.gain, x_rate_);
+        external_.setZero();
+        for (int j = 0; j < n_; ++j) out.momentum_rate[j] = T(0);
+        for (int i = 0; i < spoke.linkage.nW(); ++i) out.W_rate[i] = rates_.q[spoke.linkage.dependent[i]];
+    }
+
+    void add_bodies() {
+        for (std::size_t i = 0; i < spoke_.bodies.size(); ++i) {
+            const int frame = spoke_.bodies[i].frame;
+            const SpatialInertia<T>& inertia = velocity_.inertia[i];
+            const Spatial<T> weight = spatial<T>(world_.gravity * inertia.mass, inertia.moment.cross(world_.gravity));
+            external_ += weight;
+            add(frame, weight, inertia * velocity_.motion[frame]);
+        }
+    }
+
+    // `bar`: of anti-roll bars, along the wheel's travel [N].
+    void add_wheel(int i, const T& bar) {
+        const ComposedWheel<T>& wheel = spoke_.wheels[i];
+        const auto state = spoke_.wheel_state(i, values_);
+        ComposedWheelForces<T>& f = out_.wheels[i];
+        const Vec3<T>& axis = velocity_.axis[i];
+        const Spatial<T>& motion = velocity_.motion[wheel.frame];
+        const T omega = state.spin_momentum * wheel.wheel.inverse_spin_inertia, turning = axis.dot(angular(motion));
+        f.spin = omega - turning;
+        f.tire_spin_torque = T(0);
+        Spatial<T> wrench = Spatial<T>::Zero();
+        for (int k = 0; k < wheel.tires; ++k) {
+            const T aside = wheel.tires == 1 ? T(0) : k == 0 ? wheel.half_spacing : T(-wheel.half_spacing);
+            T torque;
+            wrench += tire_wrench<T>(wheel.tire, world_.road, Vec3<T>(velocity_.center[i] + axis * aside), axis, motion,
+                                     omega, turning, state.deflection[2 * k], state.deflection[2 * k + 1], f.tires[k],
+                                     torque);
+            f.tire_spin_torque += torque;
+            work_ += lost_in_tire(f.tires[k]);
+        }
+        static_cast<TireForces<T>&>(f) = f.tires[0];
+        const auto brake = wheel.brake.evaluate(input_.brake, f.spin, state.brake_windup);
+        f.drive_torque = wheel.drive_share * input_.drive_torque;
+        f.brake_torque = brake.torque;
+        out_.windup_rate[i] = brake.windup_rate;
+        out_.spin_momentum_rate[i] = f.tire_spin_torque + f.drive_torque + f.brake_torque;
+        external_ += wrench;
+        if (!wheel.live) angular(wrench) += axis * f.drive_torque;
+        add(wheel.frame, wrench, spatial<T>(Vec3<T>::Zero(), velocity_.spin_momentum[i]));
+        const T shaft = wheel.live ? f.spin : T(f.spin + axis.dot(angular(motion) - angular(world_.hub)));
+        work_ += f.drive_torque * shaft + f.brake_torque * f.spin;
+
+        f.travel = velocity_.center[i][2] - wheel.wheel.center[2];
+        f.bar = bar;
+        f.stop = wheel.bump.force(f.travel) - wheel.rebound.force(T(-f.travel));
+        ComposedLine<T> line;
+        line.length = f.travel;
+        spoke_.linkage.along(Vec3<T>::UnitZ(), velocity_.center[i], wheel.frame, 0, at_.motion, line);
+        push(f.stop + f.bar, line);
+    }
+
+    void add_springs() {
+        const auto state = spoke_.state(values_);
+        const auto line_of = [&](const auto& element) {
+            return spoke_.linkage.line(element.line, at_, state.independent, state.dependent);
+        };
+        const auto rate_of = [&](const ComposedLine<T>& line) {
+            T rate = line.drift;
+            for (int j = 0; j < n_; ++j) rate += line.gradient[j] * velocity_.own.V_rate[j];
+            return rate;
+        };
+        for (std::size_t i = 0; i < spoke_.springs.size(); ++i) {
+            const ComposedLine<T> line = line_of(spoke_.springs[i]);
+            out_.springs[i] = {spoke_.springs[i].spring.force(line.length), line.length, rate_of(line)};
+            push(out_.springs[i].force, line);
+        }
+        for (std::size_t i = 0; i < spoke_.dampers.size(); ++i) {
+            const ComposedLine<T> line = line_of(spoke_.dampers[i]);
+            const T rate = rate_of(line);
+            out_.dampers[i] = {spoke_.dampers[i].damper.force(rate), line.length, rate};
+            push(out_.dampers[i].force, line);
+            work_ += out_.dampers[i].force * rate;
+        }
+    }
+
+    const Spatial<T>& external() const { return external_; }
+    const T& work() const { return work_; }
+
+private:
+    // What a body or a wheel on `frame` feels, and its momentum.
+    void add(int frame, const Spatial<T>& Q, const Spatial<T>& h) {
+        const Spatial<T> carried = Q - cross_force<T>(world_.hub, h);
+        for (int j = 0; j < n_; ++j) {
+            out_.momentum_rate[j] += at_.motion.J[frame].col(j).dot(carried) + rates_.motion.J[frame].col(j).dot(h);
+        }
+        if (with_work_) work_ -= at_.motion.x[frame].dot(carried) + x_rate_[frame].dot(h);
+    }
+
+    void push(const T& force, const ComposedLine<T>& line) {
+        for (int j = 0; j < n_; ++j) out_.momentum_rate[j] += force * line.gradient[j];
+        work_ -= force * line.drift;
+    }
+
+    const ComposedSpoke<T>& spoke_;
+    const ComposedVelocity<T>& velocity_;
+    const ComposedPosition<T>& at_;
+    const T* values_;
+    const Input<T>& input_;
+    const Surroundings<T>& world_;
+    bool with_work_;
+    ComposedMomenta<T>& out_;
+    int n_;
+    ComposedRates<T> rates_;
+    std::array<Spatial<T>, max_frames> x_rate_;
+    Spatial<T> external_;
+    T work_{0};
+};
+
+// Forces of the bars on the wheels along their travel, wheel by wheel.
+template <class T>
+void composed_bar_forces(const Vehicle<T>& vehicle, const ComposedVelocities<T>& velocity,
+                         std::array<T, max_composed * max_wheels>& force) {
+    std::array<T, max_composed * max_wheels> travel;
+    for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
+        const ComposedSpoke<T>& spoke = vehicle.composed[s];
+        for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
+            const std::size_t number = static_cast<std::size_t>(spoke.first_wheel) + i;
+            travel[number] = velocity.spokes[s].center[i][2] - spoke.wheels[i].wheel.center[2];
+            force[number] = T(0);
+        }
+    }
+    for (const AntiRollBar<T>& bar : vehicle.composed_bars) {
+        const T pull = bar.rate * (travel[bar.left] - travel[bar.right]);
+        force[bar.left] -= pull;
+        force[bar.right] += pull;
+    }
+}
+
+// Where a unit's frame stands on the ground.
+template <class T>
+struct UnitPlace {
+    Vec3<T> position;
+    Mat3<T> R;  // to ground axes
+};
+
+template <class T>
+UnitPlace<T> behind(const UnitPlace<T>& tow, const Pose<T>& pose) {
+    return {tow.position + tow.R * pose.p, tow.R * pose.R};
+}
+
+template <class T>
+Surroundings<T> surroundings_of(const Model<T>& model, const UnitPlace<T>& place, const Spatial<T>& motion) {
+    return {model.road.seen_from(place.position, place.R), place.R.row(2).transpose() * (-model.vehicle.gravity),
+            motion, model.stabilization_gain};
+}
+
+// The hitch, once everything behind it is summed up; hands the force on to the unit that pulls.
+template <class T>
+void finish_trailer(const Trailer<T>& trailer, const TrailerVelocity<T>& at, const Spatial<T>& tow_motion,
+                    TrailerMomenta<T>& out, Spatial<T>& tow_external, T& work_rate) {
+    const int n = trailer.freedoms();
+    const Spatial<T> momentum = at.condensed.K * at.motion + at.condensed.b;
+    const Spatial<T> h = carried_over(at.pose, momentum), Q = carried_over(at.pose, out.external);
+    ComposedRates<T> rates;
+    trailer.hitch.find_rates(at.hitch, at.own.V_rate, RackMotion<T>{}, rates);
+    const Spatial<T> carried = Q - cross_force<T>(tow_motion, h);
+    for (int j = 0; j < n; ++j) {
+        out.momentum_rate[j] = at.hitch.motion.J[n].col(j).dot(carried) + rates.motion.J[n].col(j).dot(h);
+    }
+    out.momentum_rate[0] -= trailer.yaw_damping * at.own.V_rate[0];
+    work_rate -= trailer.yaw_damping * at.own.V_rate[0] * at.own.V_rate[0];
+    tow_external += Q;
+}
+
+// Everything composed and trailed; adds to the motor vehicle's external wrench and to the work.
+template <class T>
+[[gnu::noinline]] void composed_momenta(const Model<T>& model, const State<T>& state, const Input<T>& input,
+                                        const ComposedVelocities<T>& velocity, const Mat3<T>& R_GC,
+                                        const Surroundings<T>& motor_vehicle, ComposedMomentaOfAll<T>& out,
+                                        Spatial<T>& external, T& work_rate) {
+    const Vehicle<T>& vehicle = model.vehicle;
+    std::array<UnitPlace<T>, max_trailers + 1> places;
+    places[0] = {state.position(), R_GC};
+    for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
+        const Trailer<T>& trailer = vehicle.trailers[i];
+        TrailerMomenta<T>& own = out.trailers.emplace_back();
+        places[i + 1] = behind(places[static_cast<std::size_t>(trailer.tow)], velocity.trailers[i].pose);
+        own.surroundings = surroundings_of(model, places[i + 1], velocity.trailers[i].motion);
+        own.external = spatial<T>(own.surroundings.gravity * trailer.chassis.mass,
+                                  trailer.chassis_inertia.moment.cross(own.surroundings.gravity));
+    }
+    std::array<T, max_composed * max_wheels> bars;
+    composed_bar_forces(vehicle, velocity, bars);
+    for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
+        const ComposedSpoke<T>& spoke = vehicle.composed[s];
+        const auto unit = static_cast<std::size_t>(spoke.unit);
+        const Surroundings<T>& world = unit == 0 ? motor_vehicle : out.trailers[unit - 1].surroundings;
+        ComposedSpokeMomenta<T> momenta(spoke, velocity.spokes[s], state.values.data(), input, world,
+                                        model.energy_balance, out.spokes.emplace_back());
+        momenta.add_bodies();
+        for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
+            momenta.add_wheel(static_cast<int>(i), bars[static_cast<std::size_t>(spoke.first_wheel) + i]);
+        }
+        momenta.add_springs();
+        (unit == 0 ? external : out.trailers[unit - 1].external) += momenta.external();
+        work_rate += momenta.work();
+    }
+    for (std::size_t i = vehicle.trailers.size(); i-- > 0;) {
+        const Trailer<T>& trailer = vehicle.trailers[i];
+        const auto tow = static_cast<std::size_t>(trailer.tow);
+        finish_trailer(trailer, velocity.trailers[i], tow == 0 ? motor_vehicle.hub : velocity.trailers[tow - 1].motion,
+                       out.trailers[i], tow == 0 ? external : out.trailers[tow - 1].external, work_rate);
+    }
+}
+
+// The rates of their numbers.
+template <class T>
+[[gnu::noinline]] void write_composed_rates(const Vehicle<T>& vehicle, const ComposedVelocities<T>& velocity,
+                                            const ComposedMomentaOfAll<T>& momenta, State<T>& rate) {
+    T* values = rate.values.data();
+    for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
+        const ComposedSpoke<T>& spoke = vehicle.composed[s];
+        const ComposedMomenta<T>& from = momenta.spokes[s];
+        const auto to = spoke.state(values);
+        for (int j = 0; j < spoke.linkage.nV(); ++j) {
+            to.independent[j] = velocity.spokes[s].own.V_rate[j];
+            to.momentum[j] = from.momentum_rate[j];
+        }
+        for (int i = 0; i < spoke.linkage.nW(); ++i) to.dependent[i] = from.W_rate[i];
+        for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
+            const auto wheel = spoke.wheel_state(static_cast<int>(i), values);
+            wheel.spin_momentum = from.spin_momentum_rate[i];
+            wheel.brake_windup = from.windup_rate[i];
+            for (int k = 0; k < spoke.wheels[i].tires; ++k) {
+                wheel.deflection[2 * k] = from.wheels[i].tires[static_cast<std::size_t>(k)].tire.u_rate;
+                wheel.deflection[2 * k + 1] = from.wheels[i].tires[static_cast<std::size_t>(k)].tire.v_rate;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
+        const Trailer<T>& trailer = vehicle.trailers[i];
+        const int n = trailer.freedoms();
+        for (int j = 0; j < n; ++j) {
+            values[trailer.offset + j] = velocity.trailers[i].own.V_rate[j];
+            values[trailer.offset + n + j] = momenta.trailers[i].momentum_rate[j];
+        }
+    }
+}
+
+}  // namespace hamilcar

@@ -1,0 +1,38 @@
+// All wheels of a vehicle in one list, whatever carries them: for starts and equilibria, outside the step.
+#pragma once
+
+#include <vector>
+
+#include "hamilcar/block/momenta.hpp"
+
+namespace hamilcar {
+
+// A tire on the road, or one of two abreast.
+struct RoadTire {
+    const Tire<double>* tire;
+    const TireForces<double>* forces;
+    double *u, *v;  // deflections in the state [m]
+};
+
+struct RoadWheel {
+    int unit;
+    const Wheel<double>* wheel;
+    const Brake<double>* brake;
+    double drive_share;
+    double *spin_momentum, *windup;  // in the state
+    std::vector<RoadTire> tires;
+};
+
+// Corners first, then the wheels of composed suspensions in order. The forces are those of `momenta`, which must stay.
+std::vector<RoadWheel> road_wheels(const Model<double>& model, const Momenta<double>& momenta, State<double>& state);
+
+// Direction of gravity times its strength in a unit's axes [m/s^2].
+Vec3<double> gravity_in_unit(const Model<double>& model, const Velocity<double>& velocity,
+                             const Momenta<double>& momenta, int unit);
+
+double rolling_radius(const Tire<double>& tire);
+
+// Mass times center of mass of the whole vehicle, in chassis axes about the chassis origin [kg m].
+Vec3<double> mass_moment(const Model<double>& model, const Velocity<double>& velocity);
+
+}  // namespace hamilcar

@@ -1,0 +1,71 @@
+// What pushes a wheel: tire, drive, brake, and the equation of its spin.
+#pragma once
+
+#include "hamilcar/tire/contact.hpp"
+#include "hamilcar/vehicle/composed.hpp"
+
+namespace hamilcar {
+
+// What the Momenta block tells a spoke about the world around it.
+template <class T>
+struct Surroundings {
+    RoadPlane<T> road;
+    Vec3<T> gravity;  // chassis axes [m/s^2]
+    Spatial<T> hub;   // v_1
+    T gain;           // alpha
+};
+
+// For the equations and for the channels.
+template <class T>
+struct TireForces {
+    TireContact<T> contact;
+    TireForce<T> tire;
+    ContactFrame<T> frame;
+};
+
+template <class T>
+struct WheelForces : TireForces<T> {
+    T stop, bar;                   // along the wheel's travel [N]
+    T travel;                      // [m]
+    T drive_torque, brake_torque;  // on the wheel [N m]
+    T tire_spin_torque;            // of the tires about the spin axis [N m]
+    T spin;                        // relative to the carrier [rad/s]
+};
+
+// A tire that stands at `center` and turns with `omega` about the axis, its carrier moving with `motion` and its contact
+// deflected by u, v. Returns the wrench on the carrier with its wheel; adds to the torque about the axis.
+template <class T>
+HAMILCAR_CORE Spatial<T> tire_wrench(const Tire<T>& any_tire, const RoadPlane<T>& road, const Vec3<T>& center,
+                                     const Vec3<T>& axis, const Spatial<T>& motion, const T& omega, const T& turning,
+                                     const T& u, const T& v, TireForces<T>& out, T& spin_torque) {
+    return dispatch(any_tire, [&](const auto& tire) HAMILCAR_INLINED -> Spatial<T> {
+        const auto f = contact_frame<T>(road, center, axis, tire.radius);
+        const Vec3<T> velocity = velocity_at<T>(motion, f.point);
+        const T v_x = f.longitudinal.dot(velocity);
+        out.frame = f;
+        out.contact = {.depth = f.depth,
+                       .depth_rate = -f.normal.dot(velocity),  // the lowest point's own, straight below P
+                       .v_sx = v_x + f.lever * turning - tire.rolling_radius * omega,
+                       .v_sy = f.lateral.dot(velocity),
+                       .v_x = v_x,
+                       .omega = omega,
+                       .friction = road.friction,
+                       .u = u,
+                       .v = v};
+        out.tire = tire.force(out.contact);
+        const TireForce<T>& F = out.tire;
+        spin_torque = F.rolling_moment - tire.rolling_radius * F.Fx;
+        Spatial<T> wrench = force_at<T>(f.point, F.Fx * f.longitudinal + F.Fy * f.lateral + F.Fz * f.normal);
+        angular(wrench) += (F.rolling_moment - (tire.rolling_radius - f.lever) * F.Fx) * axis;
+        return wrench;
+    });
+}
+
+// Power of a tire that is not in its potential.
+template <class T>
+HAMILCAR_CORE T lost_in_tire(const TireForces<T>& f) {
+    return f.tire.Fx * f.contact.v_sx + f.tire.Fy * f.contact.v_sy -
+           (f.tire.Fz - f.tire.elastic) * f.contact.depth_rate + f.tire.rolling_moment * f.contact.omega;
+}
+
+}  // namespace hamilcar

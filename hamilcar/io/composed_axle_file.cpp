@@ -1,0 +1,234 @@
+#include "hamilcar/io/composed_axle_file.hpp"
+
+#include <algorithm>
+
+#include "hamilcar/io/body_file.hpp"
+#include "hamilcar/io/linkage_file.hpp"
+#include "hamilcar/io/mirror.hpp"
+#include "hamilcar/linkage/compose.hpp"
+#include "hamilcar/suspension/recipe.hpp"
+
+namespace hamilcar::io {
+
+using hamilcar::mirrored;
+
+namespace {
+
+void read_keys(const TableReader& table, const std::vector<HardpointKey>& keys, Hardpoints& to) {
+    for (const HardpointKey& key : keys) {
+        const std::string name(key.key);
+        switch (key.kind) {
+            case HardpointKind::flag: to.numbers[name] = table.boolean(key.key, key.otherwise[0] != 0); break;
+            case HardpointKind::number: to.numbers[name] = table.number(key.key, positive, key.otherwise[0]); break;
+            case HardpointKind::direction:
+                to.points[name] = table.has(key.key) ? table.direction(key.key) : key.otherwise;
+                break;
+            case HardpointKind::point:
+                // `steered` stands before the keys that only a steered axle has
+                if (key.only_steered && !to.flag("steered")) break;
+                to.points[name] = table.array<3>(key.key);
+        }
+    }
+}
+
+const std::vector<HardpointKey> rocker_keys{{"pivot_m", HardpointKind::point, "a point of the rocker's axis"},
+                                            {"axis", HardpointKind::direction, "of the rocker", {1, 0, 0}},
+                                            {"rod_rocker_m", HardpointKind::point, "push rod, end on the rocker"},
+                                            {"rod_end_m", HardpointKind::point, "push rod, end on the suspension"}};
+
+Hardpoints read_hardpoints(const TableReader& axle, const Recipe& recipe) {
+    Hardpoints points;
+    read_keys(axle.table("hardpoints"), recipe.keys, points);
+    if (recipe.may_have_rocker && axle.has("rocker")) {
+        const TableReader rocker = axle.table("rocker");
+        constexpr std::string_view parts[] = {"lower_arm", "carrier"};
+        points.rod_on = parts[rocker.one_of("rod_on", parts)];
+        read_keys(rocker, rocker_keys, points);
+    }
+    return points;
+}
+
+// Two ends of a rod or an axis must not coincide; the reader knows which key to blame.
+void check_composition(const TableReader& axle, const Composition& composition, const WheelDescription& wheel) {
+    const TableReader points = axle.table("hardpoints");
+    for (const CutJointDescription& cut : composition.linkage.cuts) {
+        const bool rod = cut.kind == CutJoint::distance || cut.kind == CutJoint::revolute_spherical;
+        axle.expect(!rod || cut.tip != cut.foot, "hardpoints", "two ends apart for '" + cut.name + "'");
+    }
+    std::vector<CarriedPoint> wheels;
+    for (std::size_t i = 0; i < composition.carriers.size(); ++i) {
+        wheels.push_back({composition.carriers[i], i == 0 ? wheel.center : mirrored(wheel.center)});
+    }
+    const LinkageVerdict verdict = choose_partition(composition.linkage, wheels);
+    axle.expect(verdict.problem.empty(), "hardpoints",
+                "a linkage that moves with its wheels alone; " + verdict.problem);
+}
+
+const PartChoice& part_of(const TableReader& table, std::string_view key, const Composition& composition,
+                          std::string_view otherwise) {
+    std::vector<std::string_view> names;
+    for (const PartChoice& part : composition.parts) names.push_back(part.name);
+    const auto usual = std::ranges::find(names, otherwise);
+    const std::optional<std::size_t> place =
+        usual == names.end() ? std::nullopt : std::optional<std::size_t>(usual - names.begin());
+    return composition.parts[table.one_of(key, names, place)];
+}
+
+// The left line of a spring or a damper, and the part of its mirror image.
+struct Lines {
+    LineDescription left;
+    std::size_t right_part;
+};
+
+Lines read_line(const TableReader& table, const Composition& composition, std::string_view usual_part) {
+    const PartChoice& part = part_of(table, "on", composition, usual_part);
+    const Lines lines{{part.left, 0, table.array<3>("at_m"), table.array<3>("body_m"), {}}, part.right};
+    table.expect(lines.left.on_part != lines.left.on_base, "body_m", "a point apart from 'at_m'");
+    return lines;
+}
+
+LineDescription mirrored_line(const Lines& lines) {
+    LineDescription right = lines.left;
+    right.part = lines.right_part;
+    right.on_part = mirrored(right.on_part), right.on_base = mirrored(right.on_base);
+    return right;
+}
+
+ComposedWheelDescription read_left_wheel(const TableReader& axle, const NamedTires& tires,
+                                         const Composition& composition) {
+    const TableReader wheel = axle.table("wheel");
+    return {.name = axle.text("name") + "_left",
+            .part = composition.carriers[0],
+            .wheel = read_wheel(wheel),
+            .dual_spacing = wheel.number("dual_spacing_m", positive, 0),
+            .bump = read_stop(axle.optional_table("bump_stop")),
+            .rebound = read_stop(axle.optional_table("rebound_stop")),
+            .tire = tire_of(axle, tires),
+            .brake = read_brake(axle.optional_table("brake")),
+            .drive_share = axle.number("drive_share", fraction, 0) / 2,
+            .live_axle = composition.live_axle};
+}
+
+ComposedWheelDescription right_wheel(ComposedWheelDescription wheel, const std::string& axle, std::size_t part) {
+    wheel.name = axle + "_right";
+    wheel.part = part;
+    wheel.wheel = mirrored(wheel.wheel);
+    return wheel;
+}
+
+// Bodies of the left side, or of the whole axle: a part and its mirror image are two, a part that is its own is one.
+void add_bodies(const TableReader& axle, const Composition& composition, const WheelDescription& wheel,
+                ComposedSpokeDescription& to) {
+    for (const PartChoice& part : composition.parts) {
+        if (!part.has_table || !(part.needs_table || axle.has(part.name))) continue;
+        const bool carries = part.left == composition.carriers[0];
+        BodyDescription body = read_body(axle.table(part.name), carries ? wheel : WheelDescription{});
+        to.bodies.push_back({part.left, body});
+        if (part.right == part.left) continue;
+        mirror(body);
+        to.bodies.push_back({part.right, body});
+    }
+}
+
+// Springs, dampers and the twist beam's own: those of the left wheel, then of the right one.
+void add_elements(const TableReader& axle, const Composition& composition, std::string_view usual_part, bool both,
+                  ComposedSpokeDescription& to) {
+    const std::string name = axle.text("name");
+    if (const auto table = axle.optional_table("spring")) {
+        const Lines lines = read_line(*table, composition, usual_part);
+        const SpringDescription spring{table->number("rate_N_per_m", positive),
+                                       table->number("force_at_design_N", any_number)};
+        to.springs.push_back({name + "_left", lines.left, spring});
+        if (both) to.springs.push_back({name + "_right", mirrored_line(lines), spring});
+    }
+    if (const auto table = axle.optional_table("damper")) {
+        const Lines lines = read_line(*table, composition, usual_part);
+        const DamperDescription damper = read_damper(*table);
+        to.dampers.push_back({name + "_left", lines.left, damper});
+        if (both) to.dampers.push_back({name + "_right", mirrored_line(lines), damper});
+    }
+    if (const auto table = axle.optional_table("twist_spring"); table && composition.twist) {
+        LineDescription line;
+        line.coordinate = composition.twist;
+        to.springs.push_back({name + "_twist", line, {table->number("rate_N_m_per_rad", positive), 0}});
+    }
+}
+
+// An axle as one spoke with two wheels.
+void add_two_wheel_spoke(const TableReader& axle, const NamedTires& tires, const Composition& composition,
+                         std::string_view usual_part, ComposedSpokeDescription spoke, VehicleDescription& vehicle) {
+    spoke.linkage = composition.linkage;
+    spoke.wheels = {read_left_wheel(axle, tires, composition)};
+    spoke.wheels.push_back(right_wheel(spoke.wheels[0], spoke.name, composition.carriers[1]));
+    add_bodies(axle, composition,
+               composition.parts[0].left == composition.parts[0].right ? WheelDescription{} : spoke.wheels[0].wheel,
+               spoke);
+    add_elements(axle, composition, usual_part, true, spoke);
+    vehicle.composed.push_back(spoke);
+}
+
+// The left spoke and its mirror image.
+void add_pair_of_spokes(const TableReader& axle, const NamedTires& tires, const Composition& left,
+                        const Composition& right, std::string_view usual_part, const ComposedSpokeDescription& named,
+                        VehicleDescription& vehicle) {
+    ComposedSpokeDescription spoke = named;
+    spoke.name = named.name + "_left";
+    spoke.linkage = left.linkage;
+    spoke.wheels = {read_left_wheel(axle, tires, left)};
+    add_bodies(axle, left, spoke.wheels[0].wheel, spoke);
+    add_elements(axle, left, usual_part, false, spoke);
+    vehicle.composed.push_back(spoke);
+
+    spoke.name = named.name + "_right";
+    spoke.linkage = right.linkage;
+    spoke.wheels[0] = right_wheel(spoke.wheels[0], named.name, right.carriers[0]);
+    for (ComposedBodyDescription& body : spoke.bodies) mirror(body.body);
+    const auto turn_over = [&](auto& element) {
+        element.name = spoke.name;
+        element.line.on_part = mirrored(element.line.on_part), element.line.on_base = mirrored(element.line.on_base);
+    };
+    std::ranges::for_each(spoke.springs, turn_over);
+    std::ranges::for_each(spoke.dampers, turn_over);
+    vehicle.composed.push_back(spoke);
+}
+
+}  // namespace
+
+std::vector<std::string_view> suspension_keywords() {
+    std::vector<std::string_view> words;
+    for (const Recipe* recipe : recipes()) words.push_back(recipe->keyword);
+    words.push_back("linkage");
+    return words;
+}
+
+void read_composed_axle(const TableReader& axle, const NamedTires& tires, std::size_t unit,
+                        VehicleDescription& vehicle) {
+    const std::vector<std::string_view> words = suspension_keywords();
+    const std::string_view keyword = words[axle.one_of("suspension", words)];
+    const Recipe* recipe = find_recipe(keyword);
+    Composition left, right;
+    if (recipe) {
+        const Hardpoints points = read_hardpoints(axle, *recipe);
+        left = recipe->compose(points);
+        if (!recipe->two_wheels) right = recipe->compose(points.mirrored_side());
+        check_composition(axle, left, read_wheel(axle.table("wheel")));
+    } else {
+        left = read_linkage(axle, read_wheel(axle.table("wheel")));
+        if (left.carriers.size() == 1) right = mirrored_composition(left);
+    }
+    const std::string_view usual_part = recipe ? recipe->spring_part : left.parts[0].name;
+    ComposedSpokeDescription named;
+    named.name = axle.text("name"), named.suspension = keyword, named.unit = unit;
+    std::size_t first_wheel = 0;
+    for (const ComposedSpokeDescription& spoke : vehicle.composed) first_wheel += spoke.wheels.size();
+    if (left.carriers.size() == 2) {
+        add_two_wheel_spoke(axle, tires, left, usual_part, named, vehicle);
+    } else {
+        add_pair_of_spokes(axle, tires, left, right, usual_part, named, vehicle);
+    }
+    if (const auto bar = axle.optional_table("anti_roll_bar")) {
+        vehicle.composed_bars.push_back({first_wheel, first_wheel + 1, bar->number("rate_N_per_m", not_negative)});
+    }
+}
+
+}  // namespace hamilcar::io

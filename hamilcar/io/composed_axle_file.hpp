@@ -1,0 +1,15 @@
+// Reads an axle whose suspension is composed of parts: by one of the recipes, or joint by joint.
+#pragma once
+
+#include "hamilcar/io/wheel_file.hpp"
+
+namespace hamilcar::io {
+
+// Adds the axle's suspensions, one with two wheels or one on each side, to the vehicle; `unit` is what they hang on.
+void read_composed_axle(const TableReader& axle, const NamedTires& tires, std::size_t unit,
+                        VehicleDescription& vehicle);
+
+// All words that `suspension` may be.
+std::vector<std::string_view> suspension_keywords();
+
+}  // namespace hamilcar::io

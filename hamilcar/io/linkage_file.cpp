@@ -1,0 +1,106 @@
+#include "hamilcar/io/linkage_file.hpp"
+
+#include <algorithm>
+
+#include "hamilcar/linkage/compose.hpp"
+
+namespace hamilcar::io {
+
+namespace {
+
+constexpr std::string_view chassis = "chassis";
+
+std::vector<std::string_view> part_names(const LinkageDescription& linkage, bool with_chassis) {
+    std::vector<std::string_view> names;
+    if (with_chassis) names.push_back(chassis);
+    for (const TreeJointDescription& joint : linkage.joints) names.push_back(joint.part);
+    return names;
+}
+
+// The number of the part that a key names.
+std::size_t part(const TableReader& table, std::string_view key, const LinkageDescription& linkage) {
+    return table.one_of(key, part_names(linkage, false)) + 1;
+}
+std::size_t part_or_chassis(const TableReader& table, std::string_view key, const LinkageDescription& linkage) {
+    return table.one_of(key, part_names(linkage, true), 0);
+}
+
+TreeJointDescription read_joint(const TableReader& table, const LinkageDescription& before) {
+    constexpr std::string_view kinds[] = {"revolute", "prismatic", "universal", "spherical", "free"};
+    TreeJointDescription joint;
+    joint.kind = static_cast<TreeJoint>(table.one_of("kind", kinds));
+    joint.part = table.text("part");
+    const auto names = part_names(before, true);
+    table.expect(std::ranges::find(names, joint.part) == names.end(), "part", "a name that no other part has");
+    joint.parent = part_or_chassis(table, "parent", before);
+    joint.point = table.array<3>("point_m");
+    const bool has_axis = joint.kind != TreeJoint::spherical && joint.kind != TreeJoint::free;
+    if (has_axis) joint.axis = table.direction("axis");
+    if (joint.kind == TreeJoint::universal) joint.second_axis = table.direction("second_axis");
+    return joint;
+}
+
+CutJointDescription read_cut(const TableReader& table, const LinkageDescription& tree) {
+    constexpr std::string_view kinds[] = {"distance", "plane", "line", "revolute_spherical", "spherical"};
+    CutJointDescription cut;
+    cut.kind = static_cast<CutJoint>(table.one_of("kind", kinds));
+    cut.name = table.text("name");
+    cut.part = part(table, "part", tree), cut.base = part_or_chassis(table, "base", tree);
+    table.expect(cut.part != cut.base, "base", "another part than '" + table.text("part") + "'");
+    cut.tip = table.array<3>("tip_m"), cut.foot = table.array<3>("foot_m", cut.tip);
+    const bool has_length = cut.kind == CutJoint::distance || cut.kind == CutJoint::revolute_spherical;
+    if (has_length) {
+        table.expect(cut.tip != cut.foot, "foot_m", "a point apart from 'tip_m'");
+        if (table.has("length_m")) cut.length = table.number("length_m", positive);
+    }
+    if (cut.kind != CutJoint::distance && cut.kind != CutJoint::spherical) cut.axis = table.direction("axis");
+    if (table.has("drive")) cut.drive = table.direction("drive");
+    return cut;
+}
+
+}  // namespace
+
+Composition read_linkage(const TableReader& axle, const WheelDescription& wheel) {
+    Composition out;
+    for (const TableReader& joint : axle.tables("joint")) out.linkage.joints.push_back(read_joint(joint, out.linkage));
+    if (axle.has("cut")) {
+        for (const TableReader& cut : axle.tables("cut")) out.linkage.cuts.push_back(read_cut(cut, out.linkage));
+    }
+    const std::size_t carrier = part(axle, "carrier_part", out.linkage);
+    out.carriers = {carrier};
+    std::vector<CarriedPoint> wheels{{carrier, wheel.center}};
+    std::size_t right = carrier;
+    if (axle.has("right_carrier_part")) {
+        right = part(axle, "right_carrier_part", out.linkage);
+        out.carriers.push_back(right);
+        wheels.push_back({right, mirrored(wheel.center)});
+    }
+    out.live_axle = axle.boolean("live_axle", false);
+    out.parts = {{"carrier", carrier, right, true, true}};
+    for (std::size_t i = 0; i < out.linkage.joints.size(); ++i) {
+        const std::string& name = out.linkage.joints[i].part;
+        if (name != "carrier") out.parts.push_back({name, i + 1, i + 1, i + 1 != carrier && i + 1 != right, false});
+    }
+    const int coordinates = out.linkage.coordinate_count(), equations = out.linkage.equation_count();
+    axle.expect(coordinates <= max_coordinates, "joint", "at most " + std::to_string(max_coordinates) + " coordinates");
+    axle.expect(equations <= max_equations, "joint", "at most " + std::to_string(max_equations) + " cut equations");
+    const LinkageVerdict verdict = choose_partition(out.linkage, wheels);
+    axle.expect(verdict.problem.empty(), "joint",
+                "a linkage that moves with its wheels alone (here " + std::to_string(coordinates) +
+                    " coordinates and " + std::to_string(equations) + " cut equations); " + verdict.problem);
+    out.linkage.independent = verdict.independent;
+    return out;
+}
+
+Composition mirrored_composition(Composition side) {
+    for (TreeJointDescription& joint : side.linkage.joints) {
+        joint.point = mirrored(joint.point), joint.axis = mirrored(joint.axis);
+        joint.second_axis = mirrored(joint.second_axis);
+    }
+    for (CutJointDescription& cut : side.linkage.cuts) {
+        cut.tip = mirrored(cut.tip), cut.foot = mirrored(cut.foot), cut.axis = mirrored(cut.axis);
+    }
+    return side;
+}
+
+}  // namespace hamilcar::io

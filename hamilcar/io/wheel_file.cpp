@@ -1,0 +1,113 @@
+// One function per table of a wheel, in the order of docs/files/vehicle.md.
+#include "hamilcar/io/wheel_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hamilcar/force/axial.hpp"
+#include "hamilcar/io/kind.hpp"
+#include "hamilcar/tire/list.hpp"
+
+namespace hamilcar::io {
+
+namespace {
+
+TireDescription read_linear_tire(const TableReader& tire) {
+    return LinearTireDescription{.radius = tire.number("radius_m", positive),
+                                 .rolling_radius = tire.number("rolling_radius_m", positive),
+                                 .vertical_stiffness = tire.number("vertical_stiffness_N_per_m", positive),
+                                 .vertical_damping = tire.number("vertical_damping_N_s_per_m", not_negative),
+                                 .longitudinal_stiffness = tire.number("longitudinal_stiffness_per_load", positive),
+                                 .cornering_reference = tire.number("cornering_reference_N_per_rad", positive),
+                                 .cornering_load = tire.number("cornering_load_N", positive),
+                                 .friction = tire.number("friction", positive),
+                                 .relaxation_longitudinal = tire.number("relaxation_longitudinal_m", positive),
+                                 .relaxation_lateral = tire.number("relaxation_lateral_m", positive),
+                                 .carcass_damping = tire.number("carcass_damping_s", not_negative),
+                                 .rolling_resistance = tire.number("rolling_resistance", not_negative)};
+}
+
+TireDescription read_spring_tire(const TableReader& tire) {
+    return SpringTireDescription{.radius = tire.number("radius_m", positive),
+                                 .rolling_radius = tire.number("rolling_radius_m", positive),
+                                 .vertical_stiffness = tire.number("vertical_stiffness_N_per_m", positive)};
+}
+
+constexpr std::array tire_kinds{Kind<TireDescription>{LinearTire<double>::keyword, read_linear_tire},
+                                Kind<TireDescription>{SpringTire<double>::keyword, read_spring_tire}};
+
+Point read_spin_axis(const TableReader& wheel) {
+    constexpr Range tilt{"number from -45 to 45", -45, 45};
+    if (wheel.chosen({{"camber_deg", "toe_in_deg"}, {"spin_axis"}}) == 1) {
+        const Point axis = wheel.direction("spin_axis");
+        wheel.expect(axis[1] > 0, "spin_axis", "a direction to the left: y above zero");
+        return axis;
+    }
+    const double camber = wheel.number("camber_deg", tilt), toe_in = wheel.number("toe_in_deg", tilt);
+    return {std::cos(camber) * std::sin(toe_in), std::cos(camber) * std::cos(toe_in), -std::sin(camber)};
+}
+
+// Where the straight lines between the points pass v = 0.
+double force_at_rest(const Samples& curve) {
+    const auto& [v, f] = curve;
+    const auto above = std::ranges::find_if(v, [](double velocity) { return velocity >= 0; });
+    if (above == v.end() || v.front() > 0) return std::nan("");
+    const auto i = static_cast<std::size_t>(above - v.begin());
+    return i == 0 ? f[0] : f[i] - v[i] * (f[i] - f[i - 1]) / (v[i] - v[i - 1]);
+}
+
+}  // namespace
+
+NamedTires read_tires(const TableReader& file) {
+    NamedTires tires;
+    for (const auto& [name, table] : file.named_tables("tire")) {
+        tires.emplace_back(name, read_kind(tire_kinds, table, "model", table));
+    }
+    file.expect(!tires.empty(), "tire", "at least one [tire.NAME]");
+    return tires;
+}
+
+const TireDescription& tire_of(const TableReader& axle, const NamedTires& tires) {
+    std::vector<std::string_view> names;
+    for (const auto& [name, tire] : tires) names.push_back(name);
+    return tires[axle.one_of("tire", names)].second;
+}
+
+WheelDescription read_wheel(const TableReader& wheel) {
+    const Point center = wheel.array<3>("center_m");
+    wheel.expect(center[1] > 0, "center_m", "a point of the left side, y above zero");
+    return {center, read_spin_axis(wheel), wheel.number("spin_inertia_kg_m2", positive)};
+}
+
+DamperDescription read_damper(const TableReader& damper) {
+    if (damper.chosen({{"damping_N_s_per_m"}, {"velocity_m_per_s", "force_N"}}) == 0) {
+        const double damping = damper.number("damping_N_s_per_m", not_negative);
+        return {{-1, 1}, {-damping, damping}};
+    }
+    const Samples curve = damper.samples("velocity_m_per_s", "force_N", any_number);
+    constexpr std::size_t most = Damper<double>::max_segments + 1;
+    damper.expect(curve.argument.size() >= 2 && curve.argument.size() <= most, "velocity_m_per_s",
+                  "2 to " + std::to_string(most) + " numbers");
+    const double largest = std::abs(*std::ranges::max_element(curve.value, {}, [](double f) { return std::abs(f); }));
+    damper.expect(std::abs(force_at_rest(curve)) <= 1e-9 * largest, "force_N",
+                  "a curve through the origin: no force at velocity 0");
+    for (std::size_t i = 0; i < curve.value.size(); ++i) {
+        damper.expect(curve.argument[i] * curve.value[i] >= 0, "force_N",
+                      "forces with the sign of their velocity, so that energy is only lost");
+    }
+    return {curve.argument, curve.value};
+}
+
+StopDescription read_stop(const std::optional<TableReader>& stop) {
+    if (!stop) return {};
+    return {stop->number("gap_m", positive), stop->number("rate_N_per_m", not_negative),
+            stop->number("progression_N_per_m2", not_negative, 0)};
+}
+
+BrakeDescription read_brake(const std::optional<TableReader>& brake) {
+    if (!brake) return {};
+    return {brake->number("max_torque_N_m", not_negative), brake->number("windup_stiffness_N_m_per_rad", positive),
+            brake->number("windup_damping_N_m_s_per_rad", not_negative)};
+}
+
+}  // namespace hamilcar::io

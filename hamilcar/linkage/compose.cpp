@@ -1,0 +1,186 @@
+#include "hamilcar/linkage/compose.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace hamilcar {
+
+namespace {
+
+const Vec3<double> x_axis = Vec3<double>::UnitX(), y_axis = Vec3<double>::UnitY(), z_axis = Vec3<double>::UnitZ();
+
+// Appends a joint's coordinates, each on the frame before.
+void add_freedoms(const TreeJointDescription& joint, int parent, std::vector<Freedom<double>>& to) {
+    const Vec3<double> point = vec3(joint.point), axis = vec3(joint.axis);
+    const auto add = [&](bool slides, const Vec3<double>& direction) {
+        to.push_back({slides ? 1 : 0, parent, point, direction});
+        parent = static_cast<int>(to.size());
+    };
+    const auto add_rotations = [&] { add(false, z_axis), add(false, x_axis), add(false, y_axis); };
+    switch (joint.kind) {
+        case TreeJoint::revolute: return add(false, axis);
+        case TreeJoint::prismatic: return add(true, axis);
+        case TreeJoint::universal: add(false, axis); return add(false, vec3(joint.second_axis));
+        case TreeJoint::spherical: return add_rotations();
+        case TreeJoint::free: add(true, x_axis), add(true, y_axis), add(true, z_axis); return add_rotations();
+    }
+}
+
+// Two unit vectors across a third.
+std::pair<Vec3<double>, Vec3<double>> across(const Vec3<double>& axis) {
+    const Vec3<double> aside = std::abs(axis[2]) < 0.9 ? z_axis : x_axis;
+    const Vec3<double> first = axis.cross(aside).normalized();
+    return {first, axis.cross(first)};
+}
+
+void add_equations(const CutJointDescription& cut, int part, int base, std::vector<LoopEquation<double>>& to) {
+    const Vec3<double> tip = vec3(cut.tip), foot = vec3(cut.foot), axis = vec3(cut.axis), drive = vec3(cut.drive);
+    const auto plane = [&](const Vec3<double>& normal) { to.push_back({1, part, base, tip, foot, normal, drive, 0}); };
+    const auto distance = [&](const Vec3<double>& from) {
+        to.push_back({0, part, base, tip, from, z_axis, drive, cut.length.value_or((tip - from).norm())});
+    };
+    switch (cut.kind) {
+        case CutJoint::distance: return distance(foot);
+        case CutJoint::plane: return plane(axis);
+        case CutJoint::line: plane(across(axis).first); return plane(across(axis).second);
+        case CutJoint::spherical: plane(x_axis), plane(y_axis); return plane(z_axis);
+        case CutJoint::revolute_spherical: {
+            const Vec3<double> nearest = foot + axis * axis.dot(tip - foot);
+            to.push_back({1, part, base, tip, nearest, axis, drive, 0});
+            return distance(nearest);
+        }
+    }
+}
+
+// Tables without a partition: every coordinate counts as independent.
+ComposedLinkage<double> tables(const LinkageDescription& d) {
+    ComposedLinkage<double> out;
+    for (const TreeJointDescription& joint : d.joints) {
+        add_freedoms(joint, frame_of_part(d, joint.parent), out.freedoms);
+    }
+    for (const CutJointDescription& cut : d.cuts) {
+        add_equations(cut, frame_of_part(d, cut.part), frame_of_part(d, cut.base), out.equations);
+    }
+    out.path.assign(out.freedoms.size() + 1, 0);
+    for (std::size_t k = 0; k < out.freedoms.size(); ++k) {
+        out.path[k + 1] = out.path[static_cast<std::size_t>(out.freedoms[k].parent)] | (1 << k);
+    }
+    out.independent.resize(out.freedoms.size());
+    std::iota(out.independent.begin(), out.independent.end(), 0);
+    return out;
+}
+
+// Phi_q at design with rows of length one; angles count as 0.3 m of arc, about an arm's length.
+Eigen::MatrixXd scaled_jacobian(const ComposedLinkage<double>& linkage) {
+    const std::vector<double> q(linkage.freedoms.size(), 0.0);
+    ComposedPosition<double> at;
+    linkage.find_loops(q.data(), nullptr, RackMotion<double>{}, at);
+    Eigen::MatrixXd Phi_q(linkage.equations.size(), linkage.freedoms.size());
+    for (int e = 0; e < Phi_q.rows(); ++e) {
+        for (int k = 0; k < Phi_q.cols(); ++k) {
+            Phi_q(e, k) = linkage.entry(at, e, k) / (linkage.freedoms[static_cast<std::size_t>(k)].slides ? 1 : 0.3);
+        }
+        const double norm = Phi_q.row(e).norm();
+        if (norm > 0) Phi_q.row(e) /= norm;
+    }
+    return Phi_q;
+}
+
+constexpr double rank_tolerance = 1e-6;
+
+// The cut joints whose equations say together what they say already.
+std::string redundant_cuts(const LinkageDescription& d, const Eigen::MatrixXd& Phi_q) {
+    Eigen::FullPivLU<Eigen::MatrixXd> lu(Phi_q.transpose());
+    lu.setThreshold(rank_tolerance);
+    const Eigen::MatrixXd left = lu.kernel();
+    std::string names;
+    int row = 0;
+    for (const CutJointDescription& cut : d.cuts) {
+        const int count = equations(cut.kind);
+        if (left.middleRows(row, count).cwiseAbs().maxCoeff() > 1e-3)
+            names += (names.empty() ? "'" : ", '") + cut.name + "'";
+        row += count;
+    }
+    return names;
+}
+
+// The part that moves most while all wheels keep their height.
+std::string loose_part(const LinkageDescription& d, const ComposedLinkage<double>& linkage,
+                       const Eigen::MatrixXd& Phi_q, const std::vector<CarriedPoint>& wheels) {
+    const std::vector<double> q(linkage.freedoms.size(), 0.0);
+    ComposedPosition<double> at;
+    linkage.find_loops(q.data(), nullptr, RackMotion<double>{}, at);
+    Eigen::MatrixXd held(Phi_q.rows() + static_cast<Eigen::Index>(wheels.size()), Phi_q.cols());
+    held.topRows(Phi_q.rows()) = Phi_q;
+    for (std::size_t i = 0; i < wheels.size(); ++i) {
+        const int path = linkage.path[static_cast<std::size_t>(frame_of_part(d, wheels[i].part))];
+        for (int k = 0; k < held.cols(); ++k) {
+            const double rise = velocity_at<double>(at.B[static_cast<std::size_t>(k)], vec3(wheels[i].point))[2];
+            held(Phi_q.rows() + static_cast<Eigen::Index>(i), k) = ((path >> k) & 1) ? rise : 0;
+        }
+    }
+    Eigen::FullPivLU<Eigen::MatrixXd> lu(held);
+    lu.setThreshold(rank_tolerance);
+    const Eigen::MatrixXd free = lu.kernel();
+    std::string loosest;
+    double most = 0;
+    for (std::size_t part = d.joints.size(); part > 0; --part) {
+        const int own = freedoms(d.joints[part - 1].kind), last = frame_of_part(d, part);
+        const double moves = free.middleRows(last - own, own).norm();
+        if (moves > most + 1e-9) most = moves, loosest = d.joints[part - 1].part;
+    }
+    return loosest;
+}
+
+}  // namespace
+
+int frame_of_part(const LinkageDescription& linkage, std::size_t part) {
+    int frame = 0;
+    for (std::size_t joint = 0; joint < part; ++joint) frame += freedoms(linkage.joints[joint].kind);
+    return frame;
+}
+
+LinkageVerdict choose_partition(const LinkageDescription& d, const std::vector<CarriedPoint>& wheels) {
+    const int wanted = static_cast<int>(wheels.size());
+    const ComposedLinkage<double> linkage = tables(d);
+    const Eigen::MatrixXd Phi_q = scaled_jacobian(linkage);
+    const int coordinates = static_cast<int>(Phi_q.cols()), equations = static_cast<int>(Phi_q.rows());
+    LinkageVerdict out;
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(Phi_q);
+    qr.setThreshold(rank_tolerance);
+    const int rank = equations > 0 ? static_cast<int>(qr.rank()) : 0;
+    out.freedoms = coordinates - rank;
+    if (rank < equations) {
+        out.problem = "redundant cut joints: " + redundant_cuts(d, Phi_q) + " say " + std::to_string(equations - rank) +
+                      " thing(s) twice";
+    } else if (wanted > 0 && out.freedoms > wanted) {
+        out.problem = std::to_string(out.freedoms - wanted) + " cut equation(s) too few: '" +
+                      loose_part(d, linkage, Phi_q, wheels) + "' is loose";
+    } else if (out.freedoms < wanted) {
+        out.problem = std::to_string(wanted - out.freedoms) + " cut equation(s) too many: the wheels cannot move";
+    }
+    std::vector<bool> dependent(static_cast<std::size_t>(coordinates), false);
+    for (int i = 0; i < rank; ++i) dependent[static_cast<std::size_t>(qr.colsPermutation().indices()[i])] = true;
+    for (int k = 0; k < coordinates; ++k) {
+        if (!dependent[static_cast<std::size_t>(k)]) out.independent.push_back(k);
+    }
+    return out;
+}
+
+ComposedLinkage<double> compose(const LinkageDescription& d) {
+    ComposedLinkage<double> out = tables(d);
+    out.independent = d.independent;
+    if (out.independent.empty()) {
+        out.independent = choose_partition(d, {}).independent;
+    }
+    for (int k = 0; k < out.nq(); ++k) {
+        if (std::find(out.independent.begin(), out.independent.end(), k) == out.independent.end()) {
+            out.dependent.push_back(k);
+        }
+    }
+    return out;
+}
+
+}  // namespace hamilcar

@@ -1,0 +1,332 @@
+// A linkage of any shape: a tree of parts, with loops closed between any two of them. It is what `Linkage` is for a chain
+// known while compiling, read from tables: slower by a small factor, and one program for every suspension there is.
+//
+// Every tree joint is a chain of coordinates that turn about or slide along one axis, and coordinate k carries frame k + 1.
+// Every cut joint is a list of equations, distances and planes, and for both the row of Phi_q is one wrench (g ; P x g) on
+// `part` and its reaction on `base`: the entry of coordinate k is the wrench's power on the column of B, counted where the
+// coordinate carries one of the two and not the other. The motions of all frames, folded over the independent coordinates,
+// are collected outward, frame by frame: J (the paper's BH), the drift x (BX), and with the rates of the columns
+//     Z = sum B' Y,   J' = Z + sum B Y',   Y = (1 ; H)
+// so that (47) is  H' = -Phi_w^-1 (w'.(J_part - J_base) + w.(Z_part - Z_base))  and a spring's lever arm is w.(J_part - J_base).
+#pragma once
+
+#include <array>
+#include <tuple>
+#include <vector>
+
+#include "hamilcar/linkage/frame.hpp"
+#include "hamilcar/linkage/rack_motion.hpp"
+#include "hamilcar/math/rotation.hpp"
+#include "hamilcar/math/small_solve.hpp"
+
+namespace hamilcar {
+
+inline constexpr int max_coordinates = 12;  // of one composed linkage
+inline constexpr int max_equations = 9;
+inline constexpr int max_freedoms = 3;  // independent coordinates
+inline constexpr int max_frames = max_coordinates + 1;
+
+// One coordinate: its frame turns about an axis of the parent frame or slides along it; zero at design.
+template <class T>
+struct Freedom {
+    int slides;           // 1 [m], or 0: turns [rad]
+    int parent;           // frame
+    Vec3<T> point, axis;  // in the parent, at design
+    static constexpr auto members() {
+        return std::tuple(&Freedom::slides, &Freedom::parent, &Freedom::point, &Freedom::axis);
+    }
+};
+
+// One equation between a point of `part` and a point of `base`, which the rack may drive.
+template <class T>
+struct LoopEquation {
+    int plane;          // 1: axis . (tip - foot) = 0 with the axis fixed in the base; 0: |tip - foot|^2 = length^2
+    int part, base;     // frames
+    Vec3<T> tip, foot;  // at design
+    Vec3<T> axis;       // of a plane, unit
+    Vec3<T> drive;      // the foot moves by this times the rack's displacement [1]
+    T length;           // of a distance [m]
+    static constexpr auto members() {
+        using E = LoopEquation;
+        return std::tuple(&E::plane, &E::part, &E::base, &E::tip, &E::foot, &E::axis, &E::drive, &E::length);
+    }
+};
+
+// How the frames of a linkage move, per independent coordinate and by themselves, about the hub's origin in its axes.
+template <class T>
+struct FrameMotions {
+    std::array<Matrix<T, 6, max_freedoms>, max_frames> J;
+    std::array<Spatial<T>, max_frames> x;
+    FrameMotions() {}
+};
+
+template <class T>
+struct ComposedPosition {
+    std::array<Pose<T>, max_frames> pose;  // [0] is the hub
+    std::array<Spatial<T>, max_coordinates> B;
+    std::array<Vec3<T>, max_equations> tip, span, gradient;  // P, P - foot, g
+    std::array<Spatial<T>, max_equations> wrench;            // (g ; P x g)
+    std::array<T, max_equations> Phi, closing;               // (25); -Phi_w^-1 Phi
+    Matrix<T, max_equations, max_equations> Phi_w_inverse;
+    T determinant;                                                    // of Phi_w
+    std::array<std::array<T, max_freedoms>, max_coordinates> follow;  // Y: of every coordinate per independent one
+    std::array<T, max_coordinates> creep;                             // X of every coordinate  // (39)
+    FrameMotions<T> motion;
+    ComposedPosition() {}
+};
+
+template <class T>
+struct ComposedRates {
+    std::array<T, max_coordinates> q;
+    std::array<Spatial<T>, max_frames> v;          // of the frames, against the hub
+    std::array<Spatial<T>, max_coordinates> B;     // B'
+    std::array<Spatial<T>, max_equations> wrench;  // w'
+    FrameMotions<T> motion;                        // J', and sum B' X in x
+    ComposedRates() {}
+};
+
+// What pushes along a line: its length, how the independent coordinates change it, what the drift adds.
+template <class T>
+struct ComposedLine {
+    T length, drift;
+    std::array<T, max_freedoms> gradient;
+    ComposedLine() {}
+};
+
+// From a point of `base` to a point of `part`, or along a coordinate.
+template <class T>
+struct ForceLine {
+    int part, base, coordinate;  // frames; the coordinate, or -1
+    Vec3<T> on_part, on_base;    // at design
+    static constexpr auto members() {
+        using L = ForceLine;
+        return std::tuple(&L::part, &L::base, &L::coordinate, &L::on_part, &L::on_base);
+    }
+};
+
+template <class T>
+struct ComposedLinkage {
+    std::vector<Freedom<T>> freedoms;
+    std::vector<LoopEquation<T>> equations;
+    std::vector<int> independent, dependent;  // coordinates
+    std::vector<int> path;                    // of every frame: bit k set if coordinate k carries it
+    static constexpr auto members() {
+        using L = ComposedLinkage;
+        return std::tuple(&L::freedoms, &L::equations, &L::independent, &L::dependent, &L::path);
+    }
+    int nq() const { return static_cast<int>(freedoms.size()); }
+    int nV() const { return static_cast<int>(independent.size()); }
+    int nW() const { return static_cast<int>(dependent.size()); }
+
+    // Frames, columns of B and equations at given coordinates.
+    void find_loops(const T* V, const T* W, const RackMotion<T>& rack, ComposedPosition<T>& out) const {
+        place(V, W, out);
+        evaluate_loops(rack, out);
+    }
+    // Of Phi_q.  // (26), A.3
+    T entry(const ComposedPosition<T>& at, int e, int k) const {
+        const int s = sign(e, k);
+        if (s == 0) return T(0);
+        const T power = at.wrench[e].dot(at.B[k]);
+        return s > 0 ? power : T(-power);
+    }
+
+    // Everything at given coordinates; X includes the stabilization term alpha Phi.
+    void find_position(const T* V, const T* W, const RackMotion<T>& rack, const T& alpha,
+                       ComposedPosition<T>& out) const {
+        find_loops(V, W, rack, out);
+        eliminate(rack, alpha, out);
+        collect(out.B, out.follow, out.creep, out.motion);
+    }
+
+    // One Newton step W <- W - Phi_w^-1 Phi on the closed loops.
+    void newton_step(const T* V, T* W, const RackMotion<T>& rack) const {
+        if (nW() == 0) return;
+        ComposedPosition<T> at;
+        find_loops(V, W, rack, at);
+        eliminate(rack, T(0), at);
+        for (int i = 0; i < nW(); ++i) W[i] += at.closing[i];
+    }
+
+    void find_rates(const ComposedPosition<T>& at, const std::array<T, max_freedoms>& V_rate, const RackMotion<T>& rack,
+                    ComposedRates<T>& out) const {
+        out.v[0].setZero();
+        for (int k = 0; k < nq(); ++k) {
+            T rate = at.creep[k];
+            for (int j = 0; j < nV(); ++j) rate += at.follow[k][j] * V_rate[j];  // (38), (40), (41)
+            out.q[k] = rate;
+            const Spatial<T>& v = out.v[freedoms[k].parent];
+            out.v[k + 1] = v + at.B[k] * rate;                                                            // (18)
+            out.B[k] = spatial<T>(angular(v).cross(linear(at.B[k])) + linear(v).cross(angular(at.B[k])),  //
+                                  angular(v).cross(angular(at.B[k])));
+        }
+        for (int e = 0; e < nW(); ++e) out.wrench[e] = wrench_rate(at, out, e, rack);
+        collect(out.B, at.follow, at.creep, out.motion);
+        std::array<std::array<T, max_freedoms>, max_coordinates> follow_rate;
+        for (int j = 0; j < nV(); ++j) {
+            std::array<T, max_equations> bent;
+            for (int e = 0; e < nW(); ++e) {
+                const int part = equations[e].part, base = equations[e].base;
+                bent[e] = out.wrench[e].dot(at.motion.J[part].col(j) - at.motion.J[base].col(j)) +
+                          at.wrench[e].dot(out.motion.J[part].col(j) - out.motion.J[base].col(j));
+            }
+            for (int k = 0; k < nV(); ++k) follow_rate[independent[k]][j] = T(0);
+            for (int i = 0; i < nW(); ++i) follow_rate[dependent[i]][j] = -solved(at, i, bent);  // (47)
+        }
+        std::array<Matrix<T, 6, max_freedoms>, max_frames> turned_out;  // sum B Y'
+        turned_out[0].setZero();
+        for (int k = 0; k < nq(); ++k) {
+            for (int j = 0; j < nV(); ++j) {
+                turned_out[k + 1].col(j) = turned_out[freedoms[k].parent].col(j) + at.B[k] * follow_rate[k][j];
+                out.motion.J[k + 1].col(j) += turned_out[k + 1].col(j);
+            }
+        }
+    }
+
+    // Rate of the drift x of every frame, seen from the hub; only the energy balance asks for it.
+    void find_drift_rates(const ComposedPosition<T>& at, const ComposedRates<T>& rates, const RackMotion<T>& rack,
+                          const T& alpha, std::array<Spatial<T>, max_frames>& out) const {
+        std::array<T, max_equations> bent;
+        for (int e = 0; e < nW(); ++e) {
+            const LoopEquation<T>& eq = equations[e];
+            const Vec3<T> u = at.pose[eq.base].direction(eq.drive), u_rate = angular(rates.v[eq.base]).cross(u);
+            const Vec3<T> g = at.gradient[e], g_rate = linear(rates.wrench[e]);
+            bent[e] = rates.wrench[e].dot(at.motion.x[eq.part] - at.motion.x[eq.base]) +
+                      at.wrench[e].dot(rates.motion.x[eq.part] - rates.motion.x[eq.base]) -
+                      alpha * (alpha * at.Phi[e]) -
+                      ((g_rate.dot(u) + g.dot(u_rate)) * rack.rate + g.dot(u) * rack.acceleration);
+        }
+        out[0].setZero();
+        std::array<T, max_coordinates> creep_rate;
+        for (int k = 0; k < nV(); ++k) creep_rate[independent[k]] = T(0);
+        for (int i = 0; i < nW(); ++i) creep_rate[dependent[i]] = -solved(at, i, bent);
+        for (int k = 0; k < nq(); ++k) {
+            out[k + 1] = out[freedoms[k].parent] + rates.B[k] * at.creep[k] + at.B[k] * creep_rate[k];
+        }
+    }
+
+    // The line of force of a spring or a damper.  // (44)
+    ComposedLine<T> line(const ForceLine<T>& where, const ComposedPosition<T>& at, const T* V, const T* W) const {
+        ComposedLine<T> out;
+        if (where.coordinate >= 0) {
+            for (int i = 0; i < nV(); ++i) out.length = independent[i] == where.coordinate ? V[i] : out.length;
+            for (int i = 0; i < nW(); ++i) out.length = dependent[i] == where.coordinate ? W[i] : out.length;
+            out.gradient = at.follow[where.coordinate];
+            out.drift = at.creep[where.coordinate];
+            return out;
+        }
+        const Vec3<T> p = at.pose[where.part].point(where.on_part);
+        const Vec3<T> d = p - at.pose[where.base].point(where.on_base);
+        const T square = d.squaredNorm();
+        out.length = sqrt(square);
+        along(Vec3<T>(d * over_root(T(1), square)), p, where.part, where.base, at.motion, out);
+        return out;
+    }
+
+    // How the motions change the distance of part and base along n through p.
+    void along(const Vec3<T>& n, const Vec3<T>& p, int part, int base, const FrameMotions<T>& motion,
+               ComposedLine<T>& out) const {
+        const Spatial<T> wrench = force_at<T>(p, n);
+        for (int j = 0; j < nV(); ++j) out.gradient[j] = wrench.dot(motion.J[part].col(j) - motion.J[base].col(j));
+        out.drift = wrench.dot(motion.x[part] - motion.x[base]);
+    }
+
+    T opening(int e, const ComposedPosition<T>& at) const {
+        return equations[e].plane ? abs(at.Phi[e]) : abs(sqrt(at.span[e].squaredNorm()) - equations[e].length);
+    }
+
+private:
+    void place(const T* V, const T* W, ComposedPosition<T>& out) const {
+        std::array<T, max_coordinates> q;
+        for (int i = 0; i < nV(); ++i) q[independent[i]] = V[i];
+        for (int i = 0; i < nW(); ++i) q[dependent[i]] = W[i];
+        out.pose[0] = {Mat3<T>::Identity(), Vec3<T>::Zero()};
+        for (int k = 0; k < nq(); ++k) {
+            const Freedom<T>& f = freedoms[k];
+            const Pose<T>& parent = out.pose[f.parent];
+            const Vec3<T> e = parent.direction(f.axis);
+            if (f.slides) {
+                out.pose[k + 1] = shifted(parent, Vec3<T>(e * q[k]));
+                out.B[k] = spatial<T>(e, Vec3<T>::Zero());  // (17), A.2
+            } else {
+                out.pose[k + 1] = turned(parent, axis_rotation(f.axis, q[k]), f.point);
+                out.B[k] = spatial<T>(parent.point(f.point).cross(e), e);  // (14), A.2
+            }
+        }
+    }
+
+    void evaluate_loops(const RackMotion<T>& rack, ComposedPosition<T>& out) const {
+        for (int e = 0; e < static_cast<int>(equations.size()); ++e) {
+            const LoopEquation<T>& eq = equations[e];
+            const Pose<T>& base = out.pose[eq.base];
+            const Vec3<T> P = out.pose[eq.part].point(eq.tip);
+            const Vec3<T> d = P - base.point(Vec3<T>(eq.foot + eq.drive * rack.displacement));
+            const Vec3<T> g = eq.plane ? base.direction(eq.axis) : Vec3<T>(T(2) * d);
+            out.Phi[e] = eq.plane ? T(g.dot(d)) : T(d.squaredNorm() - eq.length * eq.length);  // (21), (23)
+            out.tip[e] = P, out.span[e] = d, out.gradient[e] = g;
+            out.wrench[e] = force_at<T>(P, g);  // (26), A.3
+        }
+    }
+
+    // 1 where the coordinate carries the equation's part alone, -1 where its base alone.
+    int sign(int e, int k) const { return ((path[equations[e].part] >> k) & 1) - ((path[equations[e].base] >> k) & 1); }
+
+    T solved(const ComposedPosition<T>& at, int i, const std::array<T, max_equations>& right) const {
+        T sum(0);
+        for (int e = 0; e < nW(); ++e) sum += at.Phi_w_inverse(i, e) * right[e];
+        return sum;
+    }
+
+    void eliminate(const RackMotion<T>& rack, const T& alpha, ComposedPosition<T>& out) const {
+        for (int e = 0; e < nW(); ++e) {
+            for (int i = 0; i < nW(); ++i) out.Phi_w_inverse(e, i) = entry(out, e, dependent[i]);
+        }
+        out.determinant = invert_in_place<T, max_equations>(out.Phi_w_inverse, nW());
+        for (int j = 0; j < nV(); ++j) {
+            std::array<T, max_equations> Phi_v;
+            for (int e = 0; e < nW(); ++e) Phi_v[e] = entry(out, e, independent[j]);
+            for (int k = 0; k < nV(); ++k) out.follow[independent[k]][j] = T(k == j ? 1 : 0);
+            for (int i = 0; i < nW(); ++i) out.follow[dependent[i]][j] = -solved(out, i, Phi_v);  // (39)
+        }
+        std::array<T, max_equations> driven;  // (27), (28)
+        for (int e = 0; e < nW(); ++e) {
+            const LoopEquation<T>& eq = equations[e];
+            driven[e] = alpha * out.Phi[e] - out.gradient[e].dot(out.pose[eq.base].direction(eq.drive)) * rack.rate;
+        }
+        for (int k = 0; k < nV(); ++k) out.creep[independent[k]] = T(0);
+        for (int i = 0; i < nW(); ++i) {
+            out.creep[dependent[i]] = -solved(out, i, driven);
+            out.closing[i] = -solved(out, i, out.Phi);
+        }
+    }
+
+    // sum of the motions times what the coordinates do, outward.
+    void collect(const std::array<Spatial<T>, max_coordinates>& B,
+                 const std::array<std::array<T, max_freedoms>, max_coordinates>& follow,
+                 const std::array<T, max_coordinates>& creep, FrameMotions<T>& out) const {
+        out.J[0].setZero();
+        out.x[0].setZero();
+        for (int k = 0; k < nq(); ++k) {
+            const int parent = freedoms[k].parent;
+            for (int j = 0; j < nV(); ++j) out.J[k + 1].col(j) = out.J[parent].col(j) + B[k] * follow[k][j];
+            out.x[k + 1] = out.x[parent] + B[k] * creep[k];
+        }
+    }
+
+    Spatial<T> wrench_rate(const ComposedPosition<T>& at, const ComposedRates<T>& rates, int e,
+                           const RackMotion<T>& rack) const {
+        const LoopEquation<T>& eq = equations[e];
+        const Spatial<T>&v = rates.v[eq.part], &v_base = rates.v[eq.base];
+        const Vec3<T> P = at.tip[e], P_rate = velocity_at<T>(v, P);
+        Vec3<T> g_rate;
+        if (eq.plane) {
+            g_rate = angular(v_base).cross(at.gradient[e]);
+        } else {
+            const Vec3<T> foot = P - at.span[e];
+            g_rate = T(2) * (P_rate - velocity_at<T>(v_base, foot) - at.pose[eq.base].direction(eq.drive) * rack.rate);
+        }
+        return spatial<T>(g_rate, P.cross(g_rate) + P_rate.cross(at.gradient[e]));
+    }
+};
+
+}  // namespace hamilcar

@@ -1,0 +1,77 @@
+// Suspensions that hang on one hinge, and the H-arm, which is a hinge on a hinge.
+#include "hamilcar/suspension/recipe.hpp"
+
+namespace hamilcar {
+
+namespace {
+
+// One revolute joint between two bushes, no loop: the arm's angle is the independent coordinate.
+Composition hinge(const Point& from, const Point& to, const char* part) {
+    Composition out;
+    Point axis = direction_between(from, to);
+    if (axis[1] < 0) axis = {-axis[0], -axis[1], -axis[2]};  // toward +y on both sides
+    const std::size_t carrier = out.join(TreeJoint::revolute, part, 0, to, axis);
+    out.parts = {{"carrier", carrier, carrier, true, true}};
+    out.carriers = {carrier};
+    return out;
+}
+
+Composition trailing(const Hardpoints& p) {
+    return hinge(p["inner_bush_m"], p["outer_bush_m"], "arm");
+}
+
+Composition swinging(const Hardpoints& p) {
+    return hinge(p["rear_bush_m"], p["front_bush_m"], "half-axle");
+}
+
+// The arm's two hinges leave the carrier one rotation about the outer axis, which the camber link takes.
+Composition h_arm(const Hardpoints& p) {
+    Composition out;
+    const std::size_t arm = out.join(TreeJoint::revolute, "lower arm", 0, p["arm_rear_m"],
+                                     direction_between(p["arm_rear_m"], p["arm_front_m"]));
+    const std::size_t carrier = out.join(TreeJoint::revolute, "carrier", arm, p["outer_rear_m"],
+                                         direction_between(p["outer_rear_m"], p["outer_front_m"]));
+    out.cut(CutJoint::distance, "camber link", carrier, p["camber_link_carrier_m"], 0, p["camber_link_body_m"]);
+    out.linkage.independent = {0};
+    out.parts = {{"carrier", carrier, carrier, true, true}, {"lower_arm", arm, arm, true, false}};
+    out.carriers = {carrier};
+    return out;
+}
+
+constexpr auto point = HardpointKind::point;
+
+}  // namespace
+
+const Recipe semi_trailing_arm_recipe{.keyword = "semi_trailing_arm",
+                                      .title = "Semi-trailing arm",
+                                      .keys = {{"inner_bush_m", point, "inner end of the pivot axis"},
+                                               {"outer_bush_m", point, "outer end of the pivot axis"}},
+                                      .spring_part = "carrier",
+                                      .compose = trailing};
+
+const Recipe trailing_arm_recipe{.keyword = "trailing_arm",
+                                 .title = "Trailing arm",
+                                 .keys = {{"inner_bush_m", point, "inner end of the pivot axis"},
+                                          {"outer_bush_m", point, "outer end of the pivot axis"}},
+                                 .spring_part = "carrier",
+                                 .compose = trailing};
+
+const Recipe swing_axle_recipe{.keyword = "swing_axle",
+                               .title = "Swing axle",
+                               .keys = {{"front_bush_m", point, "front end of the pivot axis"},
+                                        {"rear_bush_m", point, "rear end of the pivot axis"}},
+                               .spring_part = "carrier",
+                               .compose = swinging};
+
+const Recipe h_arm_recipe{.keyword = "h_arm",
+                          .title = "H-arm with camber link",
+                          .keys = {{"arm_front_m", point, "arm's axis on the chassis, front bush"},
+                                   {"arm_rear_m", point, "arm's axis on the chassis, rear bush"},
+                                   {"outer_front_m", point, "arm's axis on the carrier, front bush"},
+                                   {"outer_rear_m", point, "arm's axis on the carrier, rear bush"},
+                                   {"camber_link_body_m", point, "upper link, end on the chassis"},
+                                   {"camber_link_carrier_m", point, "upper link, end on the carrier"}},
+                          .spring_part = "carrier",
+                          .compose = h_arm};
+
+}  // namespace hamilcar

@@ -1,0 +1,195 @@
+// Axles whose two wheels are one spoke: solid axles on links, with a Watt linkage, on leaf springs; the twist beam.
+//
+// A solid axle is free in space and loses four of its six freedoms; heave and roll remain, and they are the independent
+// coordinates whatever the links are: no link of a solid axle is upright, so over the whole travel none of them locks.
+#include "hamilcar/suspension/recipe.hpp"
+
+namespace hamilcar {
+
+namespace {
+
+constexpr auto point = HardpointKind::point;
+
+Point middle(const Point& p) {
+    return {p[0], 0, p[2]};
+}
+
+// A link on the left and its mirror image.
+void add_pair(Composition& to, const std::string& name, std::size_t axle, const Point& tip, const Point& foot) {
+    to.cut(CutJoint::distance, "left " + name, axle, tip, 0, foot);
+    to.cut(CutJoint::distance, "right " + name, axle, mirrored(tip), 0, mirrored(foot));
+}
+
+// Knuckles on kingpins, tied together; a drag link from the steering gear moves the left one.
+void add_steering(Composition& to, const Hardpoints& p, std::size_t axle) {
+    const Point lower = p["kingpin_lower_m"], upper = p["kingpin_upper_m"];
+    const std::size_t left = to.join(TreeJoint::revolute, "left knuckle", axle, lower, direction_between(lower, upper));
+    const std::size_t right = to.join(TreeJoint::revolute, "right knuckle", axle, mirrored(lower),
+                                      direction_between(mirrored(lower), mirrored(upper)));
+    to.cut(CutJoint::distance, "tie rod", left, p["tie_rod_m"], right, mirrored(p["tie_rod_m"]));
+    to.cut(CutJoint::distance, "drag link", left, p["drag_link_knuckle_m"], 0, p["drag_link_body_m"]).drive =
+        p["rack_axis"];
+    to.parts = {{"carrier", left, right, true, true}, {"beam", axle, axle, true, true}, {"axle", axle, axle}};
+    to.carriers = {left, right};
+}
+
+// An axle that is free in space, about `center`.
+Composition free_axle(const Point& center) {
+    Composition out;
+    const std::size_t axle = out.join(TreeJoint::free, "axle", 0, middle(center));
+    out.linkage.independent = {2, 4};  // heave, roll
+    out.parts = {{"carrier", axle, axle, true, true}, {"axle", axle, axle}};
+    out.carriers = {axle, axle};
+    out.live_axle = true;
+    return out;
+}
+
+Composition& steer_if_wanted(Composition& axle, const Hardpoints& p) {
+    if (p.flag("steered")) add_steering(axle, p, 1);
+    return axle;
+}
+
+Composition four_link(const Hardpoints& p) {
+    Composition out = free_axle(p["lower_axle_m"]);
+    add_pair(out, "lower link", 1, p["lower_axle_m"], p["lower_body_m"]);
+    add_pair(out, "upper link", 1, p["upper_axle_m"], p["upper_body_m"]);
+    return steer_if_wanted(out, p);
+}
+
+Composition three_links(const Hardpoints& p) {
+    Composition out = free_axle(p["lower_axle_m"]);
+    add_pair(out, "lower link", 1, p["lower_axle_m"], p["lower_body_m"]);
+    out.cut(CutJoint::distance, "upper link", 1, p["upper_axle_m"], 0, p["upper_body_m"]);
+    return out;
+}
+
+Composition panhard(const Hardpoints& p) {
+    Composition out = three_links(p);
+    out.cut(CutJoint::distance, "Panhard rod", 1, p["panhard_axle_m"], 0, p["panhard_body_m"]);
+    return steer_if_wanted(out, p);
+}
+
+// The bell crank turns on the axle; two rods hold it to the chassis.
+Composition watt(const Hardpoints& p) {
+    Composition out = three_links(p);
+    const std::size_t crank = out.join(TreeJoint::revolute, "bell crank", 1, p["watt_pivot_m"], p["watt_axis"]);
+    out.cut(CutJoint::distance, "left Watt rod", crank, p["watt_left_crank_m"], 0, p["watt_left_body_m"]);
+    out.cut(CutJoint::distance, "right Watt rod", crank, p["watt_right_crank_m"], 0, p["watt_right_body_m"]);
+    return steer_if_wanted(out, p);
+}
+
+// Links equivalent to the leaves (SAE HS-788): as a leaf bends, its seat moves on an arc about a point between eye and seat,
+// and keeps its inclination. A central link parallel to those of the leaves takes the wind-up; sideways the leaves are stiff.
+Composition leaf(const Hardpoints& p) {
+    const Point eye = p["front_eye_m"], seat = p["seat_m"];
+    const double share = p.number("link_share");
+    Point pivot;
+    for (std::size_t i = 0; i < 3; ++i) pivot[i] = seat[i] + share * (eye[i] - seat[i]);
+    Composition out = free_axle(seat);
+    add_pair(out, "leaf", 1, seat, pivot);
+    constexpr double raised = 0.15;  // of the central link [m]; a parallel link steers the same wherever it is
+    Point tip = middle(seat), foot = middle(pivot);
+    tip[2] += raised, foot[2] += raised;
+    out.cut(CutJoint::distance, "leaves' wind-up", 1, tip, 0, foot);
+    out.cut(CutJoint::plane, "leaves' side", 1, middle(seat), 0, middle(seat)).axis = {0, 1, 0};
+    return steer_if_wanted(out, p);
+}
+
+// Two trailing arms that twist against each other about the beam's shear center line. Each bush slides along the line of
+// both, the middle of the beam stays in the middle plane: symmetric, and free in heave and twist.
+Composition twist_beam(const Hardpoints& p) {
+    Composition out;
+    const Point bush = p["bush_m"], beam = middle(p["beam_m"]), lateral{0, 1, 0};
+    const std::size_t left = out.join(TreeJoint::free, "left arm", 0, beam);
+    const std::size_t right = out.join(TreeJoint::revolute, "right arm", left, beam, lateral);
+    out.cut(CutJoint::line, "left bush", left, bush, 0, bush).axis = lateral;
+    out.cut(CutJoint::line, "right bush", right, mirrored(bush), 0, mirrored(bush)).axis = lateral;
+    out.cut(CutJoint::plane, "bushes' side", left, beam, 0, beam).axis = lateral;
+    out.linkage.independent = {5, 6};  // the left arm's angle, the twist
+    out.twist = 6;
+    out.parts = {{"carrier", left, right, true, true}};
+    out.carriers = {left, right};
+    return out;
+}
+
+// What a solid axle needs to be steered, behind its own keys.
+std::vector<HardpointKey> with_steering(std::vector<HardpointKey> keys) {
+    const std::vector<HardpointKey> steering{
+        {"steered", HardpointKind::flag, "whether the wheels turn on kingpins", {0}},
+        {"kingpin_lower_m", point, "left kingpin, lower end", {}, true},
+        {"kingpin_upper_m", point, "left kingpin, upper end", {}, true},
+        {"tie_rod_m", point, "tie rod, end on the left knuckle; the other is its mirror image", {}, true},
+        {"drag_link_body_m", point, "drag link, end at the steering gear", {}, true},
+        {"drag_link_knuckle_m", point, "drag link, end on the left knuckle", {}, true},
+        {"rack_axis", HardpointKind::direction, "in which a positive rack moves the drag link's end", {0, 1, 0}}};
+    keys.insert(keys.end(), steering.begin(), steering.end());
+    return keys;
+}
+
+const HardpointKey lower_body{"lower_body_m", point, "left lower link, end on the chassis"};
+const HardpointKey lower_axle{"lower_axle_m", point, "left lower link, end on the axle"};
+const HardpointKey upper_body{"upper_body_m", point, "upper link, end on the chassis"};
+const HardpointKey upper_axle{"upper_axle_m", point, "upper link, end on the axle"};
+
+}  // namespace
+
+const Recipe four_link_axle_recipe{
+    .keyword = "four_link_axle",
+    .title = "Solid axle on four links",
+    .two_wheels = true,
+    .keys = with_steering({lower_body,
+                           lower_axle,
+                           {"upper_body_m", point, "left upper link, end on the chassis"},
+                           {"upper_axle_m", point, "left upper link, end on the axle"}}),
+    .spring_part = "axle",
+    .compose = four_link};
+
+const Recipe panhard_axle_recipe{.keyword = "panhard_axle",
+                                 .title = "Solid axle on three links with Panhard rod",
+                                 .two_wheels = true,
+                                 .keys = with_steering({lower_body,
+                                                        lower_axle,
+                                                        upper_body,
+                                                        upper_axle,
+                                                        {"panhard_body_m", point, "Panhard rod, end on the chassis"},
+                                                        {"panhard_axle_m", point, "Panhard rod, end on the axle"}}),
+                                 .spring_part = "axle",
+                                 .compose = panhard};
+
+const Recipe watt_axle_recipe{
+    .keyword = "watt_axle",
+    .title = "Solid axle on three links with Watt linkage",
+    .two_wheels = true,
+    .keys = with_steering({lower_body,
+                           lower_axle,
+                           upper_body,
+                           upper_axle,
+                           {"watt_pivot_m", point, "pivot of the bell crank on the axle"},
+                           {"watt_axis", HardpointKind::direction, "axis of the bell crank", {1, 0, 0}},
+                           {"watt_left_crank_m", point, "left rod, end on the bell crank"},
+                           {"watt_left_body_m", point, "left rod, end on the chassis"},
+                           {"watt_right_crank_m", point, "right rod, end on the bell crank"},
+                           {"watt_right_body_m", point, "right rod, end on the chassis"}}),
+    .spring_part = "axle",
+    .compose = watt};
+
+const Recipe leaf_axle_recipe{
+    .keyword = "leaf_axle",
+    .title = "Solid axle on leaf springs",
+    .two_wheels = true,
+    .keys = with_steering({{"front_eye_m", point, "left leaf, fixed eye"},
+                           {"seat_m", point, "left leaf, seat on the axle"},
+                           {"link_share", HardpointKind::number, "equivalent link over eye to seat", {0.75}}}),
+    .spring_part = "axle",
+    .compose = leaf};
+
+const Recipe twist_beam_recipe{
+    .keyword = "twist_beam",
+    .title = "Twist beam",
+    .two_wheels = true,
+    .keys = {{"bush_m", point, "left bush on the chassis"},
+             {"beam_m", point, "a point of the beam's shear center line; its middle is taken"}},
+    .spring_part = "carrier",
+    .compose = twist_beam};
+
+}  // namespace hamilcar

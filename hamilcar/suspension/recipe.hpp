@@ -1,0 +1,102 @@
+// How to make a suspension of parts: the hardpoints that a file gives, and the composition that follows from them. A recipe
+// has no kinematics; it names joints. What a person must write, what the JSON Schema says and what the page in docs/ shows
+// come from its list of keys.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hamilcar/description/linkage.hpp"
+
+namespace hamilcar {
+
+// The point on the other side of the vehicle's middle plane.
+inline Point mirrored(const Point& p) {
+    return {p[0], -p[1], p[2]};
+}
+
+enum class HardpointKind { point, direction, flag, number };
+
+// One key of the table [axle.hardpoints] or [axle.rocker]. Directions, flags and numbers have a default.
+struct HardpointKey {
+    std::string_view key;
+    HardpointKind kind = HardpointKind::point;
+    std::string_view meaning;
+    Point otherwise{};          // of a direction, or of a flag or a number in its first place
+    bool only_steered = false;  // a point that is wanted where the axle is steered
+};
+
+// What was read, by key; flags are 0 or 1.
+struct Hardpoints {
+    std::map<std::string, Point, std::less<>> points;
+    std::map<std::string, double, std::less<>> numbers;
+    std::string rod_on;  // of a rocker: the part that the rod's other end sits on; empty without a rocker
+
+    const Point& operator[](std::string_view key) const { return points.find(key)->second; }
+    bool flag(std::string_view key) const { return number(key) != 0; }
+    double number(std::string_view key) const { return numbers.find(key)->second; }
+    Hardpoints mirrored_side() const {
+        Hardpoints other = *this;
+        for (auto& [key, point] : other.points) {
+            if (key != "rack_axis") point = mirrored(point);  // the rack is one piece
+        }
+        return other;
+    }
+};
+
+// A part that has a mass or that springs may act on: on a two-wheel suspension its left and its right copy, or twice the
+// same.
+struct PartChoice {
+    std::string name;
+    std::size_t left = 1, right = 1;
+    bool has_table = false, needs_table = false;  // [axle.NAME] with mass, center and inertia
+};
+
+struct Composition {
+    LinkageDescription linkage;
+    std::vector<PartChoice> parts;
+    std::vector<std::size_t> carriers;  // of the wheels, left first
+    bool live_axle = false;             // the drive torque reacts on the axle
+    std::optional<int> twist;           // coordinate of a twist beam
+
+    // Adds a joint and gives the number of the part it carries.
+    std::size_t join(TreeJoint kind, const std::string& part, std::size_t parent, const Point& point,
+                     const Point& axis = {}, const Point& second_axis = {}) {
+        linkage.joints.push_back({kind, part, parent, point, axis, second_axis});
+        return linkage.joints.size();
+    }
+    CutJointDescription& cut(CutJoint kind, const std::string& name, std::size_t part, const Point& tip,
+                             std::size_t base, const Point& foot) {
+        CutJointDescription cut;
+        cut.kind = kind, cut.name = name, cut.part = part, cut.tip = tip, cut.base = base, cut.foot = foot;
+        return linkage.cuts.emplace_back(cut);
+    }
+};
+
+struct Recipe {
+    std::string_view keyword;
+    std::string_view title;
+    bool two_wheels = false;
+    std::vector<HardpointKey> keys;
+    std::string_view spring_part;  // where springs and dampers act unless the file says otherwise
+    bool may_have_rocker = false;
+    Composition (*compose)(const Hardpoints&) = nullptr;  // of the left side, or of both wheels
+};
+
+// Unit vector from a to b.
+Point direction_between(const Point& a, const Point& b);
+
+// Every recipe; a new one is one file and one line in recipes.cpp.
+const std::vector<const Recipe*>& recipes();
+// The recipe of that keyword, or null.
+const Recipe* find_recipe(std::string_view keyword);
+
+extern const Recipe macpherson_recipe, semi_trailing_arm_recipe, trailing_arm_recipe, swing_axle_recipe, h_arm_recipe,
+    double_wishbone_recipe, five_link_recipe, four_link_axle_recipe, panhard_axle_recipe, watt_axle_recipe,
+    leaf_axle_recipe, twist_beam_recipe;
+
+}  // namespace hamilcar

@@ -1,0 +1,27 @@
+#include <algorithm>
+#include <cmath>
+
+#include "hamilcar/suspension/recipe.hpp"
+
+namespace hamilcar {
+
+const std::vector<const Recipe*>& recipes() {
+    static const std::vector<const Recipe*> all{
+        &macpherson_recipe,     &double_wishbone_recipe, &five_link_recipe, &semi_trailing_arm_recipe,
+        &trailing_arm_recipe,   &swing_axle_recipe,      &h_arm_recipe,     &twist_beam_recipe,
+        &four_link_axle_recipe, &panhard_axle_recipe,    &watt_axle_recipe, &leaf_axle_recipe};
+    return all;
+}
+
+const Recipe* find_recipe(std::string_view keyword) {
+    const auto found = std::ranges::find(recipes(), keyword, &Recipe::keyword);
+    return found == recipes().end() ? nullptr : *found;
+}
+
+Point direction_between(const Point& a, const Point& b) {
+    const Point d{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    return {d[0] / length, d[1] / length, d[2] / length};
+}
+
+}  // namespace hamilcar

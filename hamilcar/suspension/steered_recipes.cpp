@@ -1,0 +1,138 @@
+// Single-wheel suspensions whose last link may sit on the rack: MacPherson strut, double wishbone, five links.
+#include <string>
+
+#include "hamilcar/suspension/recipe.hpp"
+
+namespace hamilcar {
+
+namespace {
+
+constexpr auto point = HardpointKind::point;
+constexpr HardpointKey steered{"steered", HardpointKind::flag, "whether the rack moves the last link's inner end", {1}};
+constexpr HardpointKey not_steered{"steered", HardpointKind::flag, "whether the rack moves link 5's end", {0}};
+constexpr HardpointKey rack_axis{
+    "rack_axis", HardpointKind::direction, "in which a positive rack displacement moves that end", {0, 1, 0}};
+
+// A rod that the rack drives if the axle is steered.
+void add_rod(Composition& to, const Hardpoints& p, const char* name, std::size_t carrier, const Point& outer,
+             const Point& inner) {
+    CutJointDescription& rod = to.cut(CutJoint::distance, name, carrier, outer, 0, inner);
+    if (p.flag("steered")) rod.drive = p["rack_axis"];
+}
+
+// The carrier slides on a strut that turns in its top mount; the paper's Fig. 3.
+Composition macpherson(const Hardpoints& p) {
+    Composition out;
+    const std::size_t strut = out.join(TreeJoint::spherical, "strut", 0, p["strut_top_m"]);
+    const std::size_t carrier = out.join(TreeJoint::prismatic, "carrier", strut, p["slide_point_m"],
+                                         direction_between(p["strut_top_m"], p["slide_point_m"]));
+    CutJointDescription& arm =
+        out.cut(CutJoint::revolute_spherical, "control arm", carrier, p["ball_joint_m"], 0, p["arm_front_m"]);
+    arm.axis = direction_between(p["arm_front_m"], p["arm_rear_m"]);
+    if (p.numbers.contains("arm_length_m")) arm.length = p.number("arm_length_m");
+    add_rod(out, p, "tie rod", carrier, p["tie_rod_outer_m"], p["rack_end_m"]);
+    if (p.numbers.contains("tie_rod_length_m")) out.linkage.cuts.back().length = p.number("tie_rod_length_m");
+    out.linkage.independent = {3};  // the strut's length
+    out.parts = {{"carrier", carrier, carrier, true, true}};
+    out.carriers = {carrier};
+    return out;
+}
+
+// A bell crank on the chassis that a rod from the suspension turns.
+void add_rocker(Composition& to, const Hardpoints& p) {
+    const std::size_t rocker = to.join(TreeJoint::revolute, "rocker", 0, p["pivot_m"], p["axis"]);
+    std::size_t part = 0;
+    for (const PartChoice& choice : to.parts) {
+        if (choice.name == p.rod_on) part = choice.left;
+    }
+    to.cut(CutJoint::distance, "push rod", part, p["rod_end_m"], rocker, p["rod_rocker_m"]);
+    to.parts.push_back({"rocker", rocker, rocker, true, true});
+}
+
+// The lower arm carries the carrier's lower ball; the upper arm has no mass of its own and is a cut joint.
+Composition double_wishbone(const Hardpoints& p) {
+    Composition out;
+    const std::size_t arm = out.join(TreeJoint::revolute, "lower arm", 0, p["lower_rear_m"],
+                                     direction_between(p["lower_rear_m"], p["lower_front_m"]));
+    const std::size_t carrier = out.join(TreeJoint::spherical, "carrier", arm, p["lower_ball_m"]);
+    out.cut(CutJoint::revolute_spherical, "upper arm", carrier, p["upper_ball_m"], 0, p["upper_rear_m"]).axis =
+        direction_between(p["upper_rear_m"], p["upper_front_m"]);
+    add_rod(out, p, p.flag("steered") ? "tie rod" : "toe link", carrier, p["tie_rod_outer_m"], p["tie_rod_body_m"]);
+    out.linkage.independent = {0};  // the lower arm's angle
+    out.parts = {{"carrier", carrier, carrier, true, true}, {"lower_arm", arm, arm, true, false}};
+    out.carriers = {carrier};
+    if (!p.rod_on.empty()) add_rocker(out, p);
+    return out;
+}
+
+// Link 1 is part of the tree, so that four loops remain of five.
+Composition five_link(const Hardpoints& p) {
+    Composition out;
+    const Point body = p["link_1_body_m"], outer = p["link_1_carrier_m"];
+    const Point along = direction_between(body, outer);
+    const Point lifting = direction_between({0, 0, 0}, {along[1], -along[0], 0});  // along x z: lifts the outer end
+    const Point sweeping{along[1] * lifting[2] - along[2] * lifting[1], along[2] * lifting[0] - along[0] * lifting[2],
+                         along[0] * lifting[1] - along[1] * lifting[0]};
+    const std::size_t link = out.join(TreeJoint::universal, "link 1", 0, body, lifting, sweeping);
+    const std::size_t carrier = out.join(TreeJoint::spherical, "carrier", link, outer);
+    for (int i = 2; i <= 4; ++i) {
+        const std::string key = "link_" + std::to_string(i);
+        out.cut(CutJoint::distance, "link " + std::to_string(i), carrier, p[key + "_carrier_m"], 0, p[key + "_body_m"]);
+    }
+    add_rod(out, p, "link 5", carrier, p["link_5_carrier_m"], p["link_5_body_m"]);
+    out.linkage.independent = {0};  // link 1's elevation
+    out.parts = {{"carrier", carrier, carrier, true, true}};
+    out.carriers = {carrier};
+    return out;
+}
+
+}  // namespace
+
+const Recipe macpherson_recipe{.keyword = "macpherson",
+                               .title = "MacPherson strut",
+                               .keys = {{"strut_top_m", point, "top mount"},
+                                        {"slide_point_m", point, "a point of the strut's axis on the carrier"},
+                                        {"arm_front_m", point, "control arm's axis, front bush"},
+                                        {"arm_rear_m", point, "control arm's axis, rear bush"},
+                                        {"ball_joint_m", point, "control arm's ball on the carrier"},
+                                        {"rack_end_m", point, "tie rod, inner end"},
+                                        {"tie_rod_outer_m", point, "tie rod, end on the carrier"},
+                                        steered,
+                                        rack_axis},
+                               .spring_part = "strut",
+                               .compose = macpherson};
+
+const Recipe double_wishbone_recipe{.keyword = "double_wishbone",
+                                    .title = "Double wishbone",
+                                    .keys = {{"lower_front_m", point, "lower arm's axis, front bush"},
+                                             {"lower_rear_m", point, "lower arm's axis, rear bush"},
+                                             {"lower_ball_m", point, "lower arm's ball on the carrier"},
+                                             {"upper_front_m", point, "upper arm's axis, front bush"},
+                                             {"upper_rear_m", point, "upper arm's axis, rear bush"},
+                                             {"upper_ball_m", point, "upper arm's ball on the carrier"},
+                                             {"tie_rod_body_m", point, "tie rod or toe link, inner end"},
+                                             {"tie_rod_outer_m", point, "tie rod or toe link, end on the carrier"},
+                                             steered,
+                                             rack_axis},
+                                    .spring_part = "lower_arm",
+                                    .may_have_rocker = true,
+                                    .compose = double_wishbone};
+
+const Recipe five_link_recipe{.keyword = "five_link",
+                              .title = "Five links",
+                              .keys = {{"link_1_body_m", point, "link 1, end on the chassis; a lower lateral link"},
+                                       {"link_1_carrier_m", point, "link 1, end on the carrier"},
+                                       {"link_2_body_m", point, "link 2, end on the chassis"},
+                                       {"link_2_carrier_m", point, "link 2, end on the carrier"},
+                                       {"link_3_body_m", point, "link 3, end on the chassis"},
+                                       {"link_3_carrier_m", point, "link 3, end on the carrier"},
+                                       {"link_4_body_m", point, "link 4, end on the chassis"},
+                                       {"link_4_carrier_m", point, "link 4, end on the carrier"},
+                                       {"link_5_body_m", point, "link 5, end on the chassis or rack"},
+                                       {"link_5_carrier_m", point, "link 5, end on the carrier"},
+                                       not_steered,
+                                       rack_axis},
+                              .spring_part = "carrier",
+                              .compose = five_link};
+
+}  // namespace hamilcar

@@ -1,0 +1,117 @@
+// The constants of a suspension composed of parts, with everything that hangs on it, and of a trailer: a hub that is itself
+// carried by a spoke, the hitch. Both know where in a state their numbers stand.
+//
+//   spoke    independent V, dependent W, momenta P_V, then wheel by wheel: spin momentum, brake wind-up, u and v of each tire
+//   trailer  hitch angles, their momenta
+#pragma once
+
+#include <tuple>
+#include <vector>
+
+#include "hamilcar/driveline/brake.hpp"
+#include "hamilcar/force/axial.hpp"
+#include "hamilcar/linkage/compose.hpp"
+#include "hamilcar/tire/list.hpp"
+#include "hamilcar/vehicle/wheel.hpp"
+
+namespace hamilcar {
+
+inline constexpr int max_bodies = 6;          // with a mass, of one spoke
+inline constexpr int max_wheels = 2;          // of one spoke
+inline constexpr int max_tires_abreast = 2;   // of one wheel
+inline constexpr int max_axial_elements = 6;  // springs, and as many dampers, of one spoke
+
+template <class T>
+struct ComposedBody {
+    int frame;
+    RigidBody<T> body;
+    static constexpr auto members() { return std::tuple(&ComposedBody::frame, &ComposedBody::body); }
+};
+
+template <class T>
+struct ComposedWheel {
+    int frame, tires;  // tires: one, or two abreast
+    int live;          // 1: the drive torque reacts on the carrier
+    int offset;        // of its first number from the spoke's
+    Wheel<T> wheel;
+    T half_spacing;  // of two tires from the wheel's center along the axis [m]
+    Stop<T> bump, rebound;
+    Tire<T> tire;
+    Brake<T> brake;
+    T drive_share;  // of the drive torque [1]
+    static constexpr auto members() {
+        using W = ComposedWheel;
+        return std::tuple(&W::frame, &W::tires, &W::live, &W::offset, &W::wheel, &W::half_spacing, &W::bump,
+                          &W::rebound, &W::tire, &W::brake, &W::drive_share);
+    }
+    static constexpr int size(int tires) { return 2 + 2 * tires; }
+};
+
+template <class T>
+struct ComposedSpring {
+    ForceLine<T> line;
+    Spring<T> spring;
+    static constexpr auto members() { return std::tuple(&ComposedSpring::line, &ComposedSpring::spring); }
+};
+
+template <class T>
+struct ComposedDamper {
+    ForceLine<T> line;
+    Damper<T> damper;
+    static constexpr auto members() { return std::tuple(&ComposedDamper::line, &ComposedDamper::damper); }
+};
+
+// Pointers into the row of a state.
+template <class Number>
+struct ComposedState {
+    Number *independent, *dependent, *momentum;
+};
+template <class Number>
+struct ComposedWheelState {
+    Number &spin_momentum, &brake_windup;
+    Number* deflection;  // u, v of the first tire, then of the second
+};
+
+template <class T>
+struct ComposedSpoke {
+    int unit, offset;
+    int first_wheel;  // its number among all wheels of composed spokes
+    ComposedLinkage<T> linkage;
+    std::vector<ComposedBody<T>> bodies;
+    std::vector<ComposedWheel<T>> wheels;
+    std::vector<ComposedSpring<T>> springs;
+    std::vector<ComposedDamper<T>> dampers;
+    T inverse_design_determinant;  // 1 / det Phi_w at design
+    static constexpr auto members() {
+        using S = ComposedSpoke;
+        return std::tuple(&S::unit, &S::offset, &S::first_wheel, &S::linkage, &S::bodies, &S::wheels, &S::springs,
+                          &S::dampers, &S::inverse_design_determinant);
+    }
+
+    template <class Number>
+    ComposedState<Number> state(Number* values) const {
+        Number* at = values + offset;
+        return {at, at + linkage.nV(), at + linkage.nq()};
+    }
+    template <class Number>
+    ComposedWheelState<Number> wheel_state(int i, Number* values) const {
+        Number* at = values + offset + wheels[static_cast<std::size_t>(i)].offset;
+        return {at[0], at[1], at + 2};
+    }
+};
+
+template <class T>
+struct Trailer {
+    int tow, offset;  // unit that pulls it; of its numbers in the state
+    ComposedLinkage<T> hitch;
+    RigidBody<T> chassis;
+    SpatialInertia<T> chassis_inertia;  // about the origin of the vehicle frame
+    T yaw_damping;                      // of the hitch [N m s/rad]
+    static constexpr auto members() {
+        using R = Trailer;
+        return std::tuple(&R::tow, &R::offset, &R::hitch, &R::chassis, &R::chassis_inertia, &R::yaw_damping);
+    }
+    int freedoms() const { return hitch.nV(); }
+};
+
+}  // namespace hamilcar
