@@ -1,0 +1,52 @@
+// Every shipped vehicle, and variants of it for tests of laws.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "support/car.hpp"
+
+namespace hamilcar::test {
+
+inline const std::vector<std::string>& fleet() {
+    static const std::vector<std::string> names{"bmw_323i", "bmw_e21_320i", "bmw_e90_330i", "hatchback",
+                                                "formula",  "pickup",       "offroader",    "truck_semitrailer"};
+    return names;
+}
+
+inline VehicleDescription shipped(const std::string& name) {
+    return io::read_vehicle(source_path("vehicles/" + name + ".toml"));
+}
+
+// Nothing that takes energy or has a kink: no dampers, no drag, no stops, tires that are bilateral vertical springs.
+inline VehicleDescription made_conservative(VehicleDescription car) {
+    const DamperDescription none{{-1, 1}, {0, 0}};
+    const auto soften = [](TireDescription& any) {
+        const auto& tire = std::get<LinearTireDescription>(any);
+        any = SpringTireDescription{tire.radius, tire.rolling_radius, tire.vertical_stiffness};
+    };
+    for (CornerDescription& corner : car.corners) {
+        corner.damper = none, corner.bump = corner.rebound = {};
+        soften(corner.tire);
+    }
+    for (ComposedSpokeDescription& spoke : car.composed) {
+        for (ComposedDamperDescription& damper : spoke.dampers) damper.damper = none;
+        for (ComposedWheelDescription& wheel : spoke.wheels) wheel.bump = wheel.rebound = {}, soften(wheel.tire);
+    }
+    for (TrailerDescription& trailer : car.trailers) trailer.yaw_damping = 0;
+    car.aerodynamics.drag_area = 0;
+    return car;
+}
+
+// A lane change at 15 m/s under drive torque, with some braking at the end: every input moves.
+inline ScenarioDescription everything_moves(const VehicleDescription& car, double duration = 3) {
+    ScenarioDescription s = scenario(duration, 15);
+    const double torque = 0.15 * Vehicle<double>(car).total_mass;
+    s.drive = table({0.1, 0.4, 1.4, 1.6}, {0, torque, torque, 0});
+    s.brake = table({1.9, 2.1}, {0, 0.25});
+    s.steering_input = SteeringInput::steering_wheel;
+    s.steering = table({0.2, 0.7, 1.4, 2.0}, {0, 0.35, -0.35, 0});
+    return s;
+}
+
+}  // namespace hamilcar::test
