@@ -9,16 +9,21 @@
 namespace hamilcar::cli {
 
 struct Options {
-    std::string file;     // scenario or vehicle
-    std::string output;   // -o: folder
-    bool json = false;    // one JSON object on standard output
-    double seconds = 20;  // bench: about how long to measure
+    std::string file;                            // scenario or vehicle
+    std::string output;                          // -o: folder
+    bool json = false;                           // one JSON object on standard output
+    double seconds = 20;                         // bench: about how long to measure
+    double travel = 80;                          // kinematics: each way [mm]
+    double speed = 0, lateral_acceleration = 0;  // equilibrium, modes [m/s], [m/s^2]
 };
 
 io::ExitCode run(const Options& options);
 io::ExitCode paper(const Options& options);
 io::ExitCode check(const Options& options);
 io::ExitCode bench(const Options& options);
+io::ExitCode equilibrium(const Options& options);
+io::ExitCode kinematics(const Options& options);
+io::ExitCode modes(const Options& options);
 
 // A file that comes with hamilcar: here, in the source or where it is installed; throws io::Error(input_output).
 std::string shipped_file(const std::string& name);

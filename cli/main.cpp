@@ -16,7 +16,8 @@ namespace cli = hamilcar::cli;
 
 // CLI11 only says that a word is missing; the mistyped command and the nearest one help more.
 std::string mistyped_command(int argc, char** argv) {
-    static constexpr std::string_view commands[] = {"run", "paper", "check", "bench"};
+    static constexpr std::string_view commands[] = {"run",         "paper",      "check", "bench",
+                                                    "equilibrium", "kinematics", "modes"};
     if (argc < 2 || argv[1][0] == '-') return {};
     for (const std::string_view command : commands) {
         if (command == argv[1]) return {};
@@ -61,7 +62,24 @@ int run_command(int argc, char** argv) {
     auto* bench = app.add_subcommand("bench", "measure how fast this machine steps a car, alone and in batches");
     bench->add_option("vehicle", options.file, "another vehicle file than the shipped car's");
     bench->add_option("--seconds", options.seconds, "about how long to measure [20]")->check(CLI::Range(0.1, 3600.0));
-    for (auto* command : {run, paper, check, bench}) add_common(*command, options);
+    auto* equilibrium = app.add_subcommand("equilibrium", "find where a vehicle stands, drives straight or goes round");
+    auto* kinematics = app.add_subcommand("kinematics", "move every axle through bump, roll and steer");
+    auto* modes = app.add_subcommand("modes", "linearize a vehicle exactly; frequencies, damping, shapes, responses");
+    for (auto* command : {equilibrium, kinematics, modes}) {
+        command->add_option("vehicle", options.file, "vehicle file (TOML)")->required();
+    }
+    for (auto* command : {equilibrium, modes}) {
+        command->add_option("--speed", options.speed, "forward speed [m/s]; at rest if left out")
+            ->check(CLI::Range(0.0, 100.0));
+        command->add_option("--lateral-acceleration", options.lateral_acceleration, "to the left [m/s^2]")
+            ->check(CLI::Range(-30.0, 30.0));
+    }
+    kinematics->add_option("--travel", options.travel, "of the wheels, each way [80 mm]")
+        ->check(CLI::Range(1.0, 1000.0));
+    for (auto* command : {kinematics, modes}) {
+        command->add_option("-o,--output", options.output, "folder for tables and pictures");
+    }
+    for (auto* command : {run, paper, check, bench, equilibrium, kinematics, modes}) add_common(*command, options);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -71,6 +89,9 @@ int run_command(int argc, char** argv) {
     if (run->parsed()) return static_cast<int>(cli::run(options));
     if (paper->parsed()) return static_cast<int>(cli::paper(options));
     if (bench->parsed()) return static_cast<int>(cli::bench(options));
+    if (equilibrium->parsed()) return static_cast<int>(cli::equilibrium(options));
+    if (kinematics->parsed()) return static_cast<int>(cli::kinematics(options));
+    if (modes->parsed()) return static_cast<int>(cli::modes(options));
     return static_cast<int>(cli::check(options));
 }
 

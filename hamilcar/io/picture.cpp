@@ -23,16 +23,18 @@ std::string quoted(const std::string& text) {
     return out + "'";
 }
 
-std::string script(const std::string& path, const Chart& chart) {
+// Everything that one chart sets and plots; what the one before has set is taken back.
+std::string commands(const Chart& chart) {
     const char* colors[] = {"#1b5e9b", "#d1495b", "#2e8b57", "#e9a03b", "#6c4a9e", "#4a4a4a", "#17a2b8", "#a0522d"};
-    std::string s = "set terminal svg size 900,460 font 'Helvetica,14' background '#ffffff' noenhanced\n";
-    s += fmt::format("set output {}\nset title {} font 'Helvetica,16'\n", quoted(path), quoted(chart.title));
+    std::string s = "unset label\nunset arrow\nunset logscale\nset format y '%g'\nset termoption noenhanced\n";
+    s += fmt::format("set title {} font ',{}'\n", quoted(chart.title), 16);
     s += fmt::format("set xlabel {}\nset ylabel {}\n", quoted(chart.x_label), quoted(chart.y_label));
     s += "set grid lc rgb '#dddddd' lw 0.7\nset border 3 lc rgb '#666666'\nset tics nomirror\nset key top left\nset "
          "samples 2\n";
     s += "set autoscale xfix\nset rmargin 4\nset offsets 0, 0, graph 0.08, graph 0.05\n";
     if (chart.log_y) s += "set logscale y\nset format y '10^{%L}'\nset termoption enhanced\n";
-    if (chart.curves.size() == 1) s += "set key off\n";
+    if (chart.log_x) s += "set logscale x\n";
+    s += chart.curves.size() == 1 ? "set key off\n" : "set key on\n";
     for (const auto& [x, label] : chart.vertical_marks) {
         s += fmt::format("set arrow from first {0}, graph 0 to first {0}, graph 1 nohead dt 2 lc rgb '#888888'\n", x);
         s += fmt::format(
@@ -56,9 +58,14 @@ std::string script(const std::string& path, const Chart& chart) {
     return s;
 }
 
-}  // namespace
+std::string preamble(const std::string& path, int width, int height, int font) {
+    return fmt::format(
+        "set terminal svg size {},{} font 'Helvetica,{}' background '#ffffff' noenhanced\nset output {}\n", width,
+        height, font, quoted(path));
+}
 
-void write_chart(const std::string& path, const Chart& chart) {
+// Gives a script to gnuplot.
+void draw(const std::string& path, const std::string& text) {
     if (!std::ofstream(path)) {
         throw Error(ExitCode::input_output, fmt::format("{}: cannot write: {}", path, std::strerror(errno)));
     }
@@ -66,7 +73,6 @@ void write_chart(const std::string& path, const Chart& chart) {
     std::FILE* pipe = popen("gnuplot", "w");
     int status = -1;
     if (pipe) {
-        const std::string text = script(path, chart);
         std::fwrite(text.data(), 1, text.size(), pipe);
         status = pclose(pipe);
     }
@@ -79,6 +85,20 @@ void write_chart(const std::string& path, const Chart& chart) {
         ExitCode::input_output,
         fmt::format("{}: cannot draw: {}", path,
                     missing ? "gnuplot is not installed (Debian: apt-get install gnuplot-nox)" : "gnuplot failed"));
+}
+
+}  // namespace
+
+void write_chart(const std::string& path, const Chart& chart) {
+    draw(path, preamble(path, 900, 460, 14) + commands(chart));
+}
+
+void write_page(const std::string& path, const std::string& title, const std::vector<Chart>& charts, int columns) {
+    const int rows = (static_cast<int>(charts.size()) + columns - 1) / columns;
+    std::string text = preamble(path, 430 * columns, 300 * rows + 40, 11);
+    text += fmt::format("set multiplot layout {},{} title {} font ',18'\n", rows, columns, quoted(title));
+    for (const Chart& chart : charts) text += commands(chart);
+    draw(path, text + "unset multiplot\n");
 }
 
 }  // namespace hamilcar::io

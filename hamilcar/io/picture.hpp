@@ -17,9 +17,13 @@ struct Chart {
     std::vector<Curve> curves;
     bool log_y = false;
     std::vector<std::pair<double, std::string>> vertical_marks;  // x and its label
+    bool log_x = false;
 };
 
 // Throws Error(input_output) if gnuplot is missing or the file cannot be written.
 void write_chart(const std::string& path, const Chart& chart);
+
+// Several charts on one page, row by row.
+void write_page(const std::string& path, const std::string& title, const std::vector<Chart>& charts, int columns);
 
 }  // namespace hamilcar::io

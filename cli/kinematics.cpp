@@ -1,0 +1,208 @@
+// `hamilcar kinematics VEHICLE`: every axle through bump, roll and steer, as tables and as a page of pictures.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "commands.hpp"
+#include "hamilcar/analysis/kinematics.hpp"
+#include "hamilcar/io/picture.hpp"
+#include "hamilcar/io/vehicle_file.hpp"
+
+namespace hamilcar::cli {
+
+namespace {
+
+constexpr double degree = 180 / std::numbers::pi;
+
+// One figure of an axle: a column of the tables.
+struct Figure {
+    std::string name, unit;
+    std::function<double(const AxleFigures&)> read;
+};
+
+std::vector<Figure> figures() {
+    std::vector<Figure> out{{"travel", "mm", [](const AxleFigures& f) { return 1e3 * f.travel; }},
+                            {"roll", "deg", [](const AxleFigures& f) { return degree * f.roll; }},
+                            {"rack", "mm", [](const AxleFigures& f) { return 1e3 * f.rack; }}};
+    struct Own {
+        const char *name, *unit;
+        double WheelFigures::*member;
+        double scale;
+    };
+    const Own own[] = {{"travel", "mm", &WheelFigures::travel, 1e3},
+                       {"toe_in", "deg", &WheelFigures::toe, degree},
+                       {"camber", "deg", &WheelFigures::camber, degree},
+                       {"steer", "deg", &WheelFigures::steer, degree},
+                       {"caster", "deg", &WheelFigures::caster, degree},
+                       {"kingpin_inclination", "deg", &WheelFigures::inclination, degree},
+                       {"scrub_radius", "mm", &WheelFigures::scrub, 1e3},
+                       {"mechanical_trail", "mm", &WheelFigures::trail, 1e3},
+                       {"wheelbase_change", "mm", &WheelFigures::center_x, 1e3},
+                       {"contact_outward", "mm", &WheelFigures::contact_y, 1e3},
+                       {"spring_ratio", "1", &WheelFigures::spring_ratio, 1},
+                       {"damper_ratio", "1", &WheelFigures::damper_ratio, 1},
+                       {"wheel_rate", "N/mm", &WheelFigures::wheel_rate, 1e-3},
+                       {"brake_slope", "1", &WheelFigures::dive_slope, 1},
+                       {"drive_slope", "1", &WheelFigures::drive_slope, 1}};
+    for (const bool left : {true, false}) {
+        for (const Own& one : own) {
+            out.push_back(
+                {(left ? "left." : "right.") + std::string(one.name), one.unit,
+                 [one, left](const AxleFigures& f) { return one.scale * ((left ? f.left : f.right).*one.member); }});
+        }
+    }
+    out.push_back({"track_change", "mm", [](const AxleFigures& f) { return 1e3 * f.track_change; }});
+    out.push_back({"roll_center_height", "mm", [](const AxleFigures& f) { return 1e3 * f.roll_center; }});
+    out.push_back({"ackermann_error", "deg", [](const AxleFigures& f) { return degree * f.ackermann; }});
+    return out;
+}
+
+std::string csv(const Sweep& sweep) {
+    std::string text;
+    const std::vector<Figure> all = figures();
+    for (const Figure& figure : all)
+        text += fmt::format("{}{} [{}]", text.empty() ? "" : ",", figure.name, figure.unit);
+    for (const AxleFigures& row : sweep.rows) {
+        text += '\n';
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const double value = all[i].read(row);
+            text += i ? "," : "";
+            if (std::isfinite(value)) text += fmt::format("{:.7g}", value);
+        }
+    }
+    return text + "\n";
+}
+
+io::Chart chart(const Sweep& sweep, const std::string& title, const std::string& x_name, const std::string& x_label,
+                const std::string& y_label, const std::vector<std::pair<std::string, std::string>>& curves) {
+    const std::vector<Figure> all = figures();
+    const auto column = [&](const std::string& name) {
+        std::vector<double> values;
+        for (const Figure& figure : all) {
+            if (figure.name != name) continue;
+            for (const AxleFigures& row : sweep.rows) values.push_back(figure.read(row));
+        }
+        return values;
+    };
+    io::Chart out{.title = title, .x_label = x_label, .y_label = y_label, .curves = {}, .vertical_marks = {}};
+    for (const auto& [name, label] : curves) out.curves.push_back({label, column(x_name), column(name)});
+    return out;
+}
+
+const Sweep* find(const AxleReport& axle, const char* name) {
+    for (const Sweep& sweep : axle.sweeps) {
+        if (sweep.name == name && !sweep.rows.empty()) return &sweep;
+    }
+    return nullptr;
+}
+
+std::vector<io::Chart> page(const AxleReport& axle) {
+    std::vector<io::Chart> out;
+    if (const Sweep* bump = find(axle, "bump")) {
+        const auto add = [&](const char* title, const char* unit, const char* name) {
+            out.push_back(chart(*bump, title, "travel", "bump travel [mm]", unit, {{name, ""}}));
+        };
+        add("Toe-in", "[deg]", "left.toe_in"), add("Camber", "[deg]", "left.camber");
+        if (std::isfinite(axle.design.left.caster)) {
+            add("Caster", "[deg]", "left.caster");
+            add("Kingpin inclination", "[deg]", "left.kingpin_inclination");
+            add("Scrub radius", "[mm]", "left.scrub_radius"), add("Mechanical trail", "[mm]", "left.mechanical_trail");
+        }
+        add("Track change", "[mm]", "track_change"), add("Wheelbase change", "[mm]", "left.wheelbase_change");
+        add("Roll center height", "[mm]", "roll_center_height");
+        out.push_back(chart(*bump, "Motion ratios", "travel", "bump travel [mm]", "[1]",
+                            {{"left.spring_ratio", "spring"}, {"left.damper_ratio", "damper"}}));
+        add("Wheel rate of the springs", "[N/mm]", "left.wheel_rate");
+    }
+    if (const Sweep* roll = find(axle, "roll")) {
+        out.push_back(chart(*roll, "Camber in roll", "roll", "roll of the axle against the body [deg]", "[deg]",
+                            {{"left.camber", "left"}, {"right.camber", "right"}}));
+        out.push_back(chart(*roll, "Roll steer", "roll", "roll of the axle against the body [deg]", "to the left [deg]",
+                            {{"left.steer", "left"}, {"right.steer", "right"}}));
+    }
+    if (const Sweep* steer = find(axle, "steer")) {
+        out.push_back(
+            chart(*steer, "Steer", "rack", "rack [mm]", "[deg]", {{"left.steer", "left"}, {"right.steer", "right"}}));
+        out.push_back(chart(*steer, "Ackermann error", "rack", "rack [mm]", "[deg]", {{"ackermann_error", ""}}));
+        out.push_back(chart(*steer, "Camber over steer", "rack", "rack [mm]", "[deg]",
+                            {{"left.camber", "left"}, {"right.camber", "right"}}));
+    }
+    return out;
+}
+
+nlohmann::json json_of(const AxleReport& axle) {
+    nlohmann::json design, sweeps = nlohmann::json::array();
+    for (const Figure& figure : figures()) design[figure.name + "_" + figure.unit] = figure.read(axle.design);
+    for (const Sweep& sweep : axle.sweeps) {
+        sweeps.push_back({{"name", sweep.name}, {"rows", sweep.rows.size()}, {"ended", sweep.ended}});
+    }
+    return {{"axle", axle.name},
+            {"design", design},
+            {"sweeps", sweeps},
+            {"anti_under_braking_percent", axle.anti_brake},
+            {"anti_under_drive_percent", axle.anti_drive}};
+}
+
+// Slope of a column about the middle of the bump sweep, per meter.
+double gain(const AxleReport& axle, double WheelFigures::*member) {
+    const std::vector<AxleFigures>& rows = axle.sweeps[0].rows;
+    const std::size_t middle = rows.size() / 2;
+    if (middle == 0 || middle + 1 >= rows.size()) return std::nan("");
+    return (rows[middle + 1].left.*member - rows[middle - 1].left.*member) /
+           (rows[middle + 1].left.travel - rows[middle - 1].left.travel);
+}
+
+void print_report(const AxleReport& axle) {
+    const WheelFigures& f = axle.design.left;
+    const auto line = [](const char* name, double value, const char* unit, int digits) {
+        if (std::isfinite(value)) fmt::print("  {:<34}{:>10.{}f} {}\n", name, value, digits, unit);
+    };
+    fmt::print("{}\n", axle.name);
+    line("toe-in", degree * f.toe, "deg", 3), line("camber", degree * f.camber, "deg", 3);
+    line("caster", degree * f.caster, "deg", 2), line("kingpin inclination", degree * f.inclination, "deg", 2);
+    line("scrub radius", 1e3 * f.scrub, "mm", 1), line("mechanical trail", 1e3 * f.trail, "mm", 1);
+    line("roll center height", 1e3 * axle.design.roll_center, "mm", 1);
+    line("camber gain in bump", degree * gain(axle, &WheelFigures::camber), "deg/m", 2);
+    line("bump steer (toe-in)", degree * gain(axle, &WheelFigures::toe), "deg/m", 2);
+    line("spring ratio", f.spring_ratio, "", 4), line("damper ratio", f.damper_ratio, "", 4);
+    line("wheel rate of the spring", 1e-3 * f.wheel_rate, "N/mm", 2);
+    line("anti-dive or anti-lift, braking", axle.anti_brake, "%", 1);
+    line("anti-squat or anti-lift, driving", axle.anti_drive, "%", 1);
+    for (const Sweep& sweep : axle.sweeps) {
+        if (!sweep.ended.empty()) fmt::print("  {} ends early: {}\n", sweep.name, sweep.ended);
+    }
+}
+
+}  // namespace
+
+io::ExitCode kinematics(const Options& options) {
+    const VehicleDescription vehicle = io::read_vehicle(options.file);
+    SweepRange range;
+    range.travel = 1e-3 * options.travel;
+    const std::vector<AxleReport> axles = hamilcar::kinematics(vehicle, range);
+    nlohmann::json all = nlohmann::json::array();
+    for (const AxleReport& axle : axles) {
+        if (!options.output.empty()) {
+            make_folder(options.output);
+            for (const Sweep& sweep : axle.sweeps) {
+                write_file(fmt::format("{}/{}_{}.csv", options.output, axle.name, sweep.name), csv(sweep));
+            }
+            io::write_page(fmt::format("{}/{}.svg", options.output, axle.name),
+                           fmt::format("{}, {} axle", vehicle.name, axle.name), page(axle), 3);
+        }
+        if (options.json) {
+            all.push_back(json_of(axle));
+        } else {
+            print_report(axle);
+        }
+    }
+    if (options.json) fmt::print("{}\n", all.dump(2));
+    if (!options.output.empty())
+        fmt::print(stderr, "wrote a page and the tables of every axle to {}\n", options.output);
+    return io::ExitCode::ok;
+}
+
+}  // namespace hamilcar::cli

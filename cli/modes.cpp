@@ -1,0 +1,210 @@
+// `hamilcar equilibrium VEHICLE` and `hamilcar modes VEHICLE`: where a vehicle stands or drives steadily, and how it moves
+// about that.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "commands.hpp"
+#include "hamilcar/analysis/modes.hpp"
+#include "hamilcar/io/picture.hpp"
+#include "hamilcar/io/vehicle_file.hpp"
+
+namespace hamilcar::cli {
+
+namespace {
+
+constexpr double degree = 180 / std::numbers::pi;
+
+OperatingPoint find_point(const Linearizer& linearizer, const Options& options) {
+    const OperatingPoint at = linearizer.operating_point({options.speed, options.lateral_acceleration});
+    if (at.found) return at;
+    throw io::Error(io::ExitCode::numerical,
+                    fmt::format("{}: {} (residual {:.2g})", options.file, at.problem, at.residual));
+}
+
+std::string describe(const Options& options) {
+    if (options.speed == 0) return "at rest on a flat road";
+    if (options.lateral_acceleration == 0) return fmt::format("straight ahead at {:g} m/s", options.speed);
+    return fmt::format("on a circle of {:.1f} m at {:g} m/s, {:g} m/s^2 to the {}",
+                       options.speed * options.speed / std::abs(options.lateral_acceleration), options.speed,
+                       std::abs(options.lateral_acceleration), options.lateral_acceleration > 0 ? "left" : "right");
+}
+
+nlohmann::json json_of(const OperatingPoint& at, const LinearModel& model) {
+    nlohmann::json outputs, states;
+    for (std::size_t i = 0; i < model.outputs.size(); ++i) {
+        outputs[model.outputs[i]] = {{"value", model.output[static_cast<Eigen::Index>(i)]},
+                                     {"unit", model.output_units[i]}};
+    }
+    for (std::size_t i = 0; i < model.states.size(); ++i) states[model.states[i]] = at.z[static_cast<Eigen::Index>(i)];
+    return {{"speed_m_per_s", at.operation.speed},
+            {"lateral_acceleration_m_per_s2", at.operation.lateral_acceleration},
+            {"rack_m", at.input.rack.displacement},
+            {"drive_torque_N_m", at.input.drive_torque},
+            {"residual", at.residual},
+            {"state", states},
+            {"outputs", outputs}};
+}
+
+void print_point(const OperatingPoint& at, const LinearModel& model, const Options& options,
+                 const VehicleDescription& vehicle) {
+    fmt::print("{} {}\n", vehicle.name, describe(options));
+    fmt::print("  residual            {:.1e} N or N m unbalanced\n", at.residual);
+    fmt::print("  roll, pitch         {:.3f}, {:.3f} deg\n", degree * at.z[1], degree * at.z[2]);
+    if (options.speed != 0) {
+        fmt::print("  rack                {:.3f} mm\n  drive torque        {:.1f} N m\n",
+                   1e3 * at.input.rack.displacement, at.input.drive_torque);
+        fmt::print("  sideslip            {:.3f} deg\n  yaw rate            {:.3f} deg/s\n",
+                   degree * std::atan2(model.output[1], model.output[0]), degree * model.output[2]);
+    }
+    for (std::size_t i = 0; i < model.outputs.size(); ++i) {
+        if (model.output_units[i] != "N") continue;
+        const std::string wheel = model.outputs[i].substr(0, model.outputs[i].find('.'));
+        std::size_t travel = 0;
+        while (model.outputs[travel] != wheel + ".wheel.travel") ++travel;
+        fmt::print("  {:<20}{:>8.0f} N on the road, travel {:+.2f} mm\n", wheel,
+                   model.output[static_cast<Eigen::Index>(i)], 1e3 * model.output[static_cast<Eigen::Index>(travel)]);
+    }
+}
+
+std::string csv(const Eigen::MatrixXd& matrix, const std::vector<std::string>& rows,
+                const std::vector<std::string>& columns) {
+    std::string text;
+    for (const std::string& column : columns) text += "," + column;
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+        text += "\n" + rows[static_cast<std::size_t>(i)];
+        for (Eigen::Index j = 0; j < matrix.cols(); ++j) text += fmt::format(",{:.17g}", matrix(i, j));
+    }
+    return text + "\n";
+}
+
+std::vector<double> frequencies(double from, double to, int count) {
+    std::vector<double> out;
+    for (int i = 0; i < count; ++i) out.push_back(from * std::pow(to / from, double(i) / (count - 1)));
+    return out;
+}
+
+// Road to seat: the seat's acceleration over the road's, the road moving up and down as a whole. Seen from the road the
+// vehicle feels its acceleration as gravity, and the seat's own adds to it.
+std::vector<double> road_to_seat(const LinearModel& model, const std::vector<double>& f) {
+    std::vector<double> w, out;
+    for (const double one : f) w.push_back(2 * std::numbers::pi * one);
+    constexpr int seat = 4;
+    const auto response = frequency_response(model, seat, gravity, -1, w);
+    for (std::size_t i = 0; i < w.size(); ++i) {
+        out.push_back(std::abs(1.0 + std::complex<double>(0, w[i]) * response[i]));
+    }
+    return out;
+}
+
+std::vector<double> steer_to_yaw(const LinearModel& model, const std::vector<double>& f) {
+    std::vector<double> w, out;
+    for (const double one : f) w.push_back(2 * std::numbers::pi * one);
+    constexpr int yaw_rate = 2;
+    for (const auto& one : frequency_response(model, yaw_rate, rack, rack_rate, w)) {
+        out.push_back(1e-3 * degree * std::abs(one));  // per millimeter of rack
+    }
+    return out;
+}
+
+void write_files(const Options& options, const LinearModel& model, const std::vector<Mode>& all,
+                 const VehicleDescription& vehicle) {
+    make_folder(options.output);
+    const auto path = [&](const char* name) { return options.output + "/" + name; };
+    write_file(path("A.csv"), csv(model.A, model.states, model.states));
+    write_file(path("B.csv"), csv(model.B, model.states, model.inputs));
+    write_file(path("C.csv"), csv(model.C, model.outputs, model.states));
+    write_file(path("D.csv"), csv(model.D, model.outputs, model.inputs));
+    std::string table = "real [1/s],imaginary [1/s],frequency [Hz],damping ratio [1],name\n";
+    for (const Mode& mode : all) {
+        table += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{}\n", mode.eigenvalue.real(), mode.eigenvalue.imag(),
+                             mode.frequency, mode.damping_ratio, mode.name);
+    }
+    write_file(path("modes.csv"), table);
+    const std::vector<double> f = frequencies(0.1, 30, 300);
+    const std::vector<double> seat = road_to_seat(model, f), yaw = steer_to_yaw(model, f);
+    std::string responses = "frequency [Hz],seat over road [1],yaw rate over rack [deg/s/mm]\n";
+    for (std::size_t i = 0; i < f.size(); ++i)
+        responses += fmt::format("{:.9g},{:.9g},{:.9g}\n", f[i], seat[i], yaw[i]);
+    write_file(path("responses.csv"), responses);
+    std::vector<io::Chart> charts{{.title = "Road to seat",
+                                   .x_label = "frequency [Hz]",
+                                   .y_label = "[1]",
+                                   .curves = {{"", f, seat}},
+                                   .vertical_marks = {},
+                                   .log_x = true}};
+    if (options.speed > 0) {
+        charts.push_back({.title = "Rack to yaw rate",
+                          .x_label = "frequency [Hz]",
+                          .y_label = "[deg/s per mm]",
+                          .curves = {{"", f, yaw}},
+                          .vertical_marks = {},
+                          .log_x = true});
+    }
+    io::write_page(path("responses.svg"), vehicle.name + ", " + describe(options), charts,
+                   static_cast<int>(charts.size()));
+}
+
+std::string shape_of(const Mode& mode) {
+    std::string text;
+    for (const auto& [name, share] : mode.shape) {
+        if (share > 0.05) text += fmt::format("{}{} {:.2f}", text.empty() ? "" : ", ", name, share);
+    }
+    return text;
+}
+
+}  // namespace
+
+io::ExitCode equilibrium(const Options& options) {
+    const VehicleDescription vehicle = io::read_vehicle(options.file);
+    const Linearizer linearizer(vehicle);
+    const OperatingPoint at = find_point(linearizer, options);
+    const LinearModel model = linearizer.linearize(at);
+    if (options.json) {
+        fmt::print("{}\n", json_of(at, model).dump(2));
+    } else {
+        print_point(at, model, options, vehicle);
+    }
+    return io::ExitCode::ok;
+}
+
+io::ExitCode modes(const Options& options) {
+    const VehicleDescription vehicle = io::read_vehicle(options.file);
+    const Linearizer linearizer(vehicle);
+    const LinearModel model = linearizer.linearize(find_point(linearizer, options));
+    const std::vector<Mode> all = hamilcar::modes(model, vehicle);
+    if (options.json) {
+        nlohmann::json list = nlohmann::json::array();
+        for (const Mode& mode : all) {
+            list.push_back({{"real_per_s", mode.eigenvalue.real()},
+                            {"imaginary_per_s", mode.eigenvalue.imag()},
+                            {"frequency_Hz", mode.frequency},
+                            {"damping_ratio", mode.damping_ratio},
+                            {"name", mode.name},
+                            {"shape", mode.shape}});
+        }
+        fmt::print("{}\n", list.dump(2));
+    } else {
+        fmt::print("{} {}\n  {:>9}  {:>7}  {:<28}{}\n", vehicle.name, describe(options), "frequency", "damping", "mode",
+                   "what moves");
+        for (const Mode& mode : all) {
+            if (mode.frequency > 0) {
+                fmt::print("  {:>6.2f} Hz  {:>7.3f}  {:<28}{}\n", mode.frequency, mode.damping_ratio, mode.name,
+                           shape_of(mode));
+            } else {
+                const double rate = mode.eigenvalue.real();
+                const std::string time = std::abs(rate) < 1e-6 ? "neutral" : fmt::format("{:.3g} s", -1 / rate);
+                fmt::print("  {:>9}  {:>7}  {:<28}{}\n", time, "", mode.name, shape_of(mode));
+            }
+        }
+    }
+    if (!options.output.empty()) {
+        write_files(options, model, all, vehicle);
+        fmt::print(stderr, "wrote A, B, C, D, modes and responses to {}\n", options.output);
+    }
+    return io::ExitCode::ok;
+}
+
+}  // namespace hamilcar::cli

@@ -1,0 +1,94 @@
+#include "hamilcar/analysis/held_axle.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "hamilcar/block/initial_process.hpp"
+
+namespace hamilcar {
+
+std::vector<AxleWheels> axles_of(const std::vector<WheelMotion>& wheels) {
+    std::vector<AxleWheels> out;
+    for (std::size_t i = 0; i + 1 < wheels.size(); ++i) {
+        const std::string& name = wheels[i].name;
+        const std::string axle = name.substr(0, name.rfind('_'));
+        if (name == axle + "_left" && wheels[i + 1].name == axle + "_right") out.push_back({axle, i, i + 1});
+    }
+    return out;
+}
+
+HeldAxle::HeldAxle(const VehicleDescription& vehicle, const Model<double>& model, const AxleWheels& axle)
+    : vehicle_(&vehicle), model_(&model), axle_(axle) {
+    state_ = design_state(model, Vec3<double>::Zero(), Mat3<double>::Identity());
+    assemble(model, {}, state_);
+}
+
+std::string HeldAxle::move(double left, double right, double rack) {
+    constexpr int lead_in = 4;
+    const double from_left = travel(axle_.left), from_right = travel(axle_.right), from_rack = rack_;
+    for (int i = 1; i <= lead_in; ++i) {
+        const double share = double(i) / lead_in;
+        rack_ = from_rack + share * (rack - from_rack);
+        const std::string problem =
+            reach(from_left + share * (left - from_left), from_right + share * (right - from_right));
+        if (!problem.empty()) return problem;
+    }
+    return {};
+}
+
+Eigen::VectorXd HeldAxle::motion_for(const WheelMotion& left, const WheelMotion& right, const Eigen::Vector2d& rates) {
+    const bool shared = shares_spoke(left, right);
+    const auto n_left = static_cast<Eigen::Index>(left.J.size()),
+               n_right = shared ? 0 : static_cast<Eigen::Index>(right.J.size());
+    Eigen::MatrixXd rise = Eigen::MatrixXd::Zero(2, n_left + n_right);
+    for (Eigen::Index j = 0; j < n_left; ++j) {
+        rise(0, j) = velocity_at<double>(left.J[static_cast<std::size_t>(j)], left.center)[2];
+        if (shared) rise(1, j) = velocity_at<double>(right.J[static_cast<std::size_t>(j)], right.center)[2];
+    }
+    for (Eigen::Index j = 0; j < n_right; ++j) {
+        rise(1, n_left + j) = velocity_at<double>(right.J[static_cast<std::size_t>(j)], right.center)[2];
+    }
+    return rise.completeOrthogonalDecomposition().solve(rates);
+}
+
+double HeldAxle::travel(std::size_t wheel) const {
+    const WheelMotion m = wheels()[wheel];
+    return m.center[2] - m.design_center[2];
+}
+
+std::string HeldAxle::reach(double left_travel, double right_travel) {
+    constexpr int most = 20;
+    const RackMotion<double> rack{rack_, 0, 0};
+    double miss = 0;
+    for (int i = 0; i < most; ++i) {
+        close_loops(*model_, rack, state_, 8);
+        const std::vector<WheelMotion> all = wheels();
+        const WheelMotion &left = all[axle_.left], &right = all[axle_.right];
+        const Eigen::Vector2d missing(left_travel - (left.center[2] - left.design_center[2]),
+                                      right_travel - (right.center[2] - right.design_center[2]));
+        miss = missing.cwiseAbs().maxCoeff();
+        if (!std::isfinite(miss)) break;
+        if (miss < 1e-11) return open_joint();
+        const Eigen::VectorXd step = motion_for(left, right, missing);
+        const bool shared = shares_spoke(left, right);
+        for (std::size_t j = 0; j < left.coordinates.size(); ++j) {
+            state_.values[static_cast<std::size_t>(left.coordinates[j])] += step[static_cast<Eigen::Index>(j)];
+        }
+        for (std::size_t j = 0; !shared && j < right.coordinates.size(); ++j) {
+            state_.values[static_cast<std::size_t>(right.coordinates[j])] +=
+                step[static_cast<Eigen::Index>(left.coordinates.size() + j)];
+        }
+    }
+    return "the linkage of " + axle_.name + " does not reach this position";
+}
+
+std::string HeldAxle::open_joint() const {
+    for (int i = 0; i < loop_count(model_->vehicle); ++i) {
+        const LoopReport report = inspect_loops(*model_, {rack_, 0, 0}, state_, i);
+        if (!(report.opening < 1e-8)) return "the linkage of " + axle_.name + " does not reach this position";
+        if (report.mobility < locked_mobility) return "the linkage of " + axle_.name + " locks";
+    }
+    return {};
+}
+
+}  // namespace hamilcar

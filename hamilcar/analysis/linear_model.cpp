@@ -1,0 +1,128 @@
+#include "hamilcar/analysis/linear_model.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <complex>
+
+#include "hamilcar/block/equilibrium.hpp"
+#include "hamilcar/block/initial_process.hpp"
+#include "hamilcar/math/convert.hpp"
+
+namespace hamilcar {
+
+Linearizer::Linearizer(const VehicleDescription& vehicle, const Point* seat)
+    : vehicle_(vehicle),
+      seat_(seat ? *seat : vehicle.chassis.center_of_mass),
+      model_{.vehicle = Vehicle<double>(vehicle), .road = PlaneRoad<double>(0, 0, 1)},
+      reduced_(vehicle, model_.vehicle) {}
+
+OperatingPoint Linearizer::at_rest() const {
+    OperatingPoint out;
+    out.state = design_state(model_, Vec3<double>::Zero(), Mat3<double>::Identity());
+    const AssemblyResult assembly = assemble(model_, out.input.rack, out.state);
+    if (!assembly.assembled) {
+        out.problem = "the linkages do not assemble";
+        return out;
+    }
+    const EquilibriumResult settled = settle(model_, out.input, out.state);
+    out.found = settled.found;
+    out.residual = settled.residual;
+    if (!settled.found) out.problem = "the vehicle does not settle on the road";
+    set_velocities(model_, out.input, Spatial<double>::Zero(), out.state);
+    const std::vector<double> z = reduced_from(reduced_, out.state);
+    out.z = Eigen::Map<const Eigen::VectorXd>(z.data(), static_cast<Eigen::Index>(z.size()));
+    return out;
+}
+
+namespace {
+
+// What is left of z' = 0, the speed and the lateral acceleration; forces and moments per weight, so that each counts alike.
+Eigen::VectorXd left_over(const LinearModel& m, const Operation& wanted, double weight) {
+    Eigen::VectorXd r(m.rate.size() + 2);
+    r << m.rate, m.output[0] - wanted.speed, m.output[0] * m.output[2] - wanted.lateral_acceleration;
+    for (std::size_t i = 0; i < m.states.size(); ++i) {
+        if (m.states[i].find("momentum") != std::string::npos) r[static_cast<Eigen::Index>(i)] /= weight;
+    }
+    return r;
+}
+
+}  // namespace
+
+// One Newton step, shortened until it helps; what is left then. Negative where no step helps.
+double Linearizer::improve(OperatingPoint& at) const {
+    const double weight = model_.vehicle.total_mass * model_.vehicle.gravity;
+    const LinearModel m = linearize(at);
+    const Eigen::Index n = m.rate.size();
+    Eigen::MatrixXd jacobian(n + 2, n + 2);
+    jacobian << m.A, m.B.col(rack), m.B.col(drive_torque), m.C.row(0), m.D(0, rack), m.D(0, drive_torque),
+        m.output[0] * m.C.row(2) + m.output[2] * m.C.row(0), m.output[0] * m.D(2, rack),
+        m.output[0] * m.D(2, drive_torque);
+    const Eigen::VectorXd r = left_over(m, at.operation, weight);
+    Eigen::VectorXd unscaled = r;
+    unscaled.head(n) = m.rate;
+    const Eigen::VectorXd step = jacobian.partialPivLu().solve(unscaled);
+    at.residual = m.rate.cwiseAbs().maxCoeff();
+    for (double share = 1; share > 1e-3; share /= 2) {
+        OperatingPoint next = at;
+        next.z -= share * step.head(n);
+        next.input.rack.displacement -= share * step[n];
+        next.input.drive_torque -= share * step[n + 1];
+        const LinearModel there = linearize(next);
+        const Eigen::VectorXd left = left_over(there, at.operation, weight);
+        if (!(left.norm() < r.norm())) continue;
+        at = next;
+        at.residual = there.rate.cwiseAbs().maxCoeff();
+        return left.norm();
+    }
+    return -1;
+}
+
+OperatingPoint Linearizer::operating_point(const Operation& operation) const {
+    OperatingPoint at = at_rest();
+    at.operation = operation;
+    if (!at.found || operation.speed == 0) return at;
+    set_velocities(model_, at.input, spatial<double>({operation.speed, 0, 0}, Vec3<double>::Zero()), at.state);
+    const std::vector<double> z = reduced_from(reduced_, at.state);
+    at.z = Eigen::Map<const Eigen::VectorXd>(z.data(), static_cast<Eigen::Index>(z.size()));
+    constexpr double lead = 1.0;  // [m/s^2] of lateral acceleration at a time
+    const int stages = 1 + static_cast<int>(std::ceil(std::abs(operation.lateral_acceleration) / lead));
+    for (int stage = 0; stage < stages; ++stage) {
+        at.operation.lateral_acceleration = stages == 1 ? 0 : operation.lateral_acceleration * stage / (stages - 1);
+        constexpr int most = 30;
+        constexpr double accuracy = 1e-9;
+        double left = 1;
+        at.found = false;
+        for (int i = 0; i < most && left > 0; ++i) {
+            left = improve(at);
+            at.found = at.found || (left >= 0 && left < accuracy);  // once there, round-off may leave nothing to gain
+        }
+        if (!at.found) {
+            at.problem = "no steady motion found at a lateral acceleration of " +
+                         std::to_string(at.operation.lateral_acceleration) + " m/s^2: it may be beyond the tires";
+            break;
+        }
+    }
+    at.operation = operation;
+    at.state = state_of<double>(model_, reduced_, at.z.data(), at.state, at.input.rack);
+    return at;
+}
+
+std::vector<std::complex<double>> frequency_response(const LinearModel& m, int output, int input, int rate_input,
+                                                     const std::vector<double>& frequencies) {
+    std::vector<std::complex<double>> out;
+    const Eigen::Index n = m.A.rows();
+    for (const double w : frequencies) {
+        const std::complex<double> s(0, w);
+        Eigen::VectorXcd b = m.B.col(input).cast<std::complex<double>>();
+        std::complex<double> through = m.D(output, input);
+        if (rate_input >= 0) {
+            b += s * m.B.col(rate_input).cast<std::complex<double>>();
+            through += s * m.D(output, rate_input);
+        }
+        const Eigen::MatrixXcd K = s * Eigen::MatrixXcd::Identity(n, n) - m.A.cast<std::complex<double>>();
+        out.push_back((m.C.row(output).cast<std::complex<double>>() * K.partialPivLu().solve(b))(0) + through);
+    }
+    return out;
+}
+
+}  // namespace hamilcar

@@ -1,0 +1,73 @@
+#include "hamilcar/analysis/reduced.hpp"
+
+#include <cmath>
+
+namespace hamilcar {
+
+ReducedCoordinates::ReducedCoordinates(const VehicleDescription& d, const Vehicle<double>& vehicle) {
+    names_ = {"height",
+              "roll",
+              "pitch",
+              "momentum.x",
+              "momentum.y",
+              "momentum.z",
+              "angular_momentum.x",
+              "angular_momentum.y",
+              "angular_momentum.z"};
+    const auto add = [this](int place, std::string name) {
+        further_.push_back(place);
+        names_.push_back(std::move(name));
+    };
+    for (int i = 0; i < vehicle.spoke_count(); ++i) {
+        const std::string& name = d.corners[static_cast<std::size_t>(i)].name;
+        const int first = hub_size + i * spoke_size, momentum = first + max_independent + max_dependent;
+        const int wheel = momentum + max_independent;
+        add(first, name + ".independent"), add(momentum, name + ".momentum");
+        add(wheel, name + ".spin_momentum");
+        add(wheel + 1, name + ".deflection_x"), add(wheel + 2, name + ".deflection_y");
+        add(wheel + 3, name + ".brake_windup");
+    }
+    for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
+        const ComposedSpoke<double>& spoke = vehicle.composed[s];
+        const ComposedSpokeDescription& described = d.composed[s];
+        for (int j = 0; j < spoke.linkage.nV(); ++j) {
+            const std::string number = std::to_string(j + 1);
+            add(spoke.offset + j, described.name + ".independent." + number);
+            add(spoke.offset + spoke.linkage.nq() + j, described.name + ".momentum." + number);
+        }
+        for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
+            const std::string& name = described.wheels[i].name;
+            const int wheel = spoke.offset + spoke.wheels[i].offset;
+            add(wheel, name + ".spin_momentum"), add(wheel + 1, name + ".brake_windup");
+            for (int k = 0; k < spoke.wheels[i].tires; ++k) {
+                const std::string tire = k == 0 ? "" : "_2";
+                add(wheel + 2 + 2 * k, name + ".deflection_x" + tire);
+                add(wheel + 3 + 2 * k, name + ".deflection_y" + tire);
+            }
+        }
+    }
+    for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
+        const Trailer<double>& trailer = vehicle.trailers[i];
+        const bool ball = d.trailers[i].hitch == Hitch::ball;
+        const char* const angles[] = {"yaw", ball ? "roll" : "pitch", "pitch"};
+        for (int j = 0; j < trailer.freedoms(); ++j) {
+            add(trailer.offset + j, d.trailers[i].name + ".hitch." + angles[j]);
+            add(trailer.offset + trailer.freedoms() + j, d.trailers[i].name + ".hitch_momentum." + angles[j]);
+        }
+    }
+}
+
+std::vector<double> reduced_from(const ReducedCoordinates& reduced, const State<double>& state) {
+    const Vector<double, 4> orientation = state.orientation();
+    const Mat3<double> R = quaternion_rotation<double>(orientation);
+    const Vector<double, 6> stored = state.momentum();
+    std::vector<double> z{state.position()[2], std::atan2(R(2, 1), R(2, 2)), -std::asin(R(2, 0))};
+    for (int half = 0; half < 2; ++half) {
+        const Vec3<double> seen = R.transpose() * Vec3<double>(stored.segment<3>(3 * half));
+        z.insert(z.end(), seen.data(), seen.data() + 3);
+    }
+    for (const int place : reduced.further()) z.push_back(state.values[static_cast<std::size_t>(place)]);
+    return z;
+}
+
+}  // namespace hamilcar

@@ -1,0 +1,34 @@
+// How one wheel stands and can move in its linkage, whatever carries it; the hub held still.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hamilcar/block/integration.hpp"
+
+namespace hamilcar {
+
+// A length that the independent coordinates change: a spring's or a damper's.
+struct LineMotion {
+    double length;                 // [m]
+    std::vector<double> gradient;  // per independent coordinate of the spoke
+    double force;                  // of a spring at this length [N]; 0 of a damper
+};
+
+struct WheelMotion {
+    std::string name;
+    Vec3<double> center, axis;  // [m]; spin axis
+    Vec3<double> design_center, design_axis;
+    double radius;                             // unloaded [m]
+    std::vector<int> coordinates;              // of the spoke's independent ones, in the state
+    std::vector<Spatial<double>> J;            // motion of the carrier per independent coordinate
+    Spatial<double> steer;                     // and per unit of rack, these held still
+    std::vector<LineMotion> springs, dampers;  // its own, or all of a spoke that carries both wheels
+    double live_axle;                          // 1: drive torque reacts on the carrier
+};
+
+// Wheels of the motor vehicle and its trailers in the order of the description: corners, then composed suspensions.
+std::vector<WheelMotion> wheel_motions(const VehicleDescription& description, const Model<double>& model,
+                                       const State<double>& state, double rack);
+
+}  // namespace hamilcar
