@@ -20,10 +20,37 @@ ScenarioDescription standing_still(const std::string& vehicle_path) {
     return scenario;
 }
 
+// Loads of a spoke's wheels on the road, wheel by wheel [N].
+nlohmann::json loads(const Sample& sample, std::size_t spoke) {
+    const std::size_t corners = sample.model.vehicle.spokes.size();
+    if (spoke < corners) return nlohmann::json::array({sample.momenta.spokes[spoke].forces.tire.Fz});
+    nlohmann::json out = nlohmann::json::array();
+    const ComposedSpoke<double>& composed = sample.model.vehicle.composed[spoke - corners];
+    for (std::size_t i = 0; i < composed.wheels.size(); ++i) {
+        double load = 0;
+        for (int k = 0; k < composed.wheels[i].tires; ++k) {
+            load +=
+                sample.momenta.composed.spokes[spoke - corners].wheels[i].tires[static_cast<std::size_t>(k)].tire.Fz;
+        }
+        out.push_back(load);
+    }
+    return out;
+}
+
+// The paper's way of counting, which has one body a spoke; null for a vehicle of other shape.
+nlohmann::json table_2(const Structure& counted) {
+    if (counted.bodies != 1 + static_cast<int>(counted.spokes.size()) || counted.hitch_freedoms > 0) return nullptr;
+    int constraints = 0;
+    nlohmann::json rows = nlohmann::json::array();
+    for (const ConstraintRow& row : paper_table_2(counted, false)) {
+        rows.push_back({{"what", row.what}, {"constraints", row.constraints}});
+        constraints += row.constraints;
+    }
+    return {{"coordinates", 7 * counted.bodies}, {"constraints", constraints}, {"rows", rows}};
+}
+
 nlohmann::json describe(const Simulation& simulation, const std::string& file) {
-    std::vector<std::string> names;
-    for (const auto& corner : simulation.vehicle().corners) names.push_back(corner.name);
-    const Structure counted = structure(simulation.model().vehicle, names);
+    const Structure counted = structure(simulation.model().vehicle, simulation.vehicle());
     const Sample sample = simulation.sample();
     nlohmann::json spokes = nlohmann::json::array();
     for (std::size_t i = 0; i < counted.spokes.size(); ++i) {
@@ -39,13 +66,7 @@ nlohmann::json describe(const Simulation& simulation, const std::string& file) {
                           {"cut_equations", spoke.cut_equations},
                           {"opening_m", loop.opening},
                           {"mobility", loop.mobility},
-                          {"static_load_N", sample.momenta.spokes[i].forces.tire.Fz}});
-    }
-    int paper_constraints = 0;
-    nlohmann::json table = nlohmann::json::array();
-    for (const ConstraintRow& row : paper_table_2(counted, false)) {
-        table.push_back({{"what", row.what}, {"constraints", row.constraints}});
-        paper_constraints += row.constraints;
+                          {"static_load_N", loads(sample, i)}});
     }
     nlohmann::json channels = nlohmann::json::array();
     for (const Channel& channel : all_channels(simulation.vehicle())) {
@@ -59,9 +80,10 @@ nlohmann::json describe(const Simulation& simulation, const std::string& file) {
             {"coordinates", counted.coordinates},
             {"cut_equations", counted.cut_equations},
             {"degrees_of_freedom", counted.degrees_of_freedom},
+            {"hitch_freedoms", counted.hitch_freedoms},
             {"wheel_spins", counted.wheel_spins},
             {"spokes", spokes},
-            {"table_2", {{"coordinates", 7 * counted.bodies}, {"constraints", paper_constraints}, {"rows", table}}},
+            {"table_2", table_2(counted)},
             {"channels", channels}};
 }
 
@@ -72,12 +94,16 @@ std::string join(const nlohmann::json& words) {
 }
 
 std::string report(const nlohmann::json& facts) {
-    std::string s = fmt::format("{}: ok\n{}, {:.1f} kg, {} bodies: chassis and one carrier a corner\n\n",
-                                facts["file"].get<std::string>(), facts["vehicle"].get<std::string>(),
-                                facts["mass_kg"].get<double>(), facts["bodies"].get<int>());
+    std::string s =
+        fmt::format("{}: ok\n{}, {:.1f} kg, {} bodies\n\n", facts["file"].get<std::string>(),
+                    facts["vehicle"].get<std::string>(), facts["mass_kg"].get<double>(), facts["bodies"].get<int>());
     for (const auto& spoke : facts["spokes"]) {
-        s += fmt::format("{} ({}), {:.0f} N on the road\n", spoke["name"].get<std::string>(),
-                         spoke["suspension"].get<std::string>(), spoke["static_load_N"].get<double>());
+        std::string on_road;
+        for (const auto& load : spoke["static_load_N"]) {
+            on_road += fmt::format("{}{:.0f} N", on_road.empty() ? "" : " and ", load.get<double>());
+        }
+        s += fmt::format("{} ({}), {} on the road\n", spoke["name"].get<std::string>(),
+                         spoke["suspension"].get<std::string>(), on_road);
         s += fmt::format("  tree joints   {}\n  cut joints    {}\n", join(spoke["tree_joints"]),
                          join(spoke["cut_joints"]));
         s += fmt::format("  independent   {}\n  dependent     {}\n", join(spoke["independent"]),
@@ -89,12 +115,15 @@ std::string report(const nlohmann::json& facts) {
     }
     const auto& table = facts["table_2"];
     const int coordinates = table["coordinates"].get<int>(), constraints = table["constraints"].get<int>();
-    s += fmt::format("\ncoordinates q            {} (chassis 6, suspensions {})\n", facts["coordinates"].get<int>(),
-                     facts["coordinates"].get<int>() - 6);
+    const int hitches = facts["hitch_freedoms"].get<int>();
+    const std::string trailers = hitches > 0 ? fmt::format(", hitches {}", hitches) : "";
+    s += fmt::format("\ncoordinates q            {} (chassis 6, suspensions {}{})\n", facts["coordinates"].get<int>(),
+                     facts["coordinates"].get<int>() - 6 - hitches, trailers);
     s += fmt::format("cut constraint equations {}\n", facts["cut_equations"].get<int>());
-    s += fmt::format("degrees of freedom       {} = 6 + {} independent suspension coordinates (and {} wheel spins)\n",
-                     facts["degrees_of_freedom"].get<int>(), facts["degrees_of_freedom"].get<int>() - 6,
-                     facts["wheel_spins"].get<int>());
+    s += fmt::format("degrees of freedom       {} = 6 + {} independent suspension coordinates{} (and {} wheel spins)\n",
+                     facts["degrees_of_freedom"].get<int>(), facts["degrees_of_freedom"].get<int>() - 6 - hitches,
+                     hitches > 0 ? fmt::format(" + {} of hitches", hitches) : "", facts["wheel_spins"].get<int>());
+    if (table.is_null()) return s;
     s += fmt::format("counted as in the paper's Table 2: {} x 7 = {} coordinates - {} constraints = {}\n",
                      facts["bodies"].get<int>(), coordinates, constraints, coordinates - constraints);
     s += fmt::format(

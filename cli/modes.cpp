@@ -155,6 +155,21 @@ std::string shape_of(const Mode& mode) {
     return text;
 }
 
+// Of those that move nothing else, the brakes' wind-up and what rolls freely, only the number.
+void print_modes(const std::vector<Mode>& all) {
+    int windup = 0, neutral = 0;
+    for (const Mode& mode : all) {
+        windup += mode.name == "brake wind-up" ? 1 : 0, neutral += mode.name == "neutral" ? 1 : 0;
+        if (mode.shape.empty()) continue;
+        const double rate = mode.eigenvalue.real();
+        const std::string pace =
+            mode.frequency > 0 ? fmt::format("{:.2f} Hz", mode.frequency) : fmt::format("{:.3g} s", -1 / rate);
+        const std::string damping = mode.frequency > 0 ? fmt::format("{:.3f}", mode.damping_ratio) : "";
+        fmt::print("  {:>9}  {:>7}  {:<28}{}\n", pace, damping, mode.name, shape_of(mode));
+    }
+    fmt::print("  and {} neutral, {} of released brakes\n", neutral, windup);
+}
+
 }  // namespace
 
 io::ExitCode equilibrium(const Options& options) {
@@ -187,18 +202,9 @@ io::ExitCode modes(const Options& options) {
         }
         fmt::print("{}\n", list.dump(2));
     } else {
-        fmt::print("{} {}\n  {:>9}  {:>7}  {:<28}{}\n", vehicle.name, describe(options), "frequency", "damping", "mode",
+        fmt::print("{} {}\n  {:>9}  {:>7}  {:<28}{}\n", vehicle.name, describe(options), "pace", "damping", "mode",
                    "what moves");
-        for (const Mode& mode : all) {
-            if (mode.frequency > 0) {
-                fmt::print("  {:>6.2f} Hz  {:>7.3f}  {:<28}{}\n", mode.frequency, mode.damping_ratio, mode.name,
-                           shape_of(mode));
-            } else {
-                const double rate = mode.eigenvalue.real();
-                const std::string time = std::abs(rate) < 1e-6 ? "neutral" : fmt::format("{:.3g} s", -1 / rate);
-                fmt::print("  {:>9}  {:>7}  {:<28}{}\n", time, "", mode.name, shape_of(mode));
-            }
-        }
+        print_modes(all);
     }
     if (!options.output.empty()) {
         write_files(options, model, all, vehicle);

@@ -53,9 +53,7 @@ void write_columns(const std::string& path, const std::vector<std::string>& head
 }
 
 nlohmann::json write_table_2(const std::string& folder, const Simulation& simulation) {
-    std::vector<std::string> names;
-    for (const auto& corner : simulation.vehicle().corners) names.push_back(corner.name);
-    const Structure counted = structure(simulation.model().vehicle, names);
+    const Structure counted = structure(simulation.model().vehicle, simulation.vehicle());
     std::string text = "what,constraints\n";
     int total = 0;
     for (const ConstraintRow& row : paper_table_2(counted, true)) {

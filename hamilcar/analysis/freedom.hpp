@@ -9,7 +9,7 @@
 namespace hamilcar {
 
 struct SpokeStructure {
-    std::string name;                       // of the corner
+    std::string name;                       // of the corner or composed suspension
     std::string suspension;                 // keyword
     std::vector<std::string> joints, cuts;  // with their kinds
     std::vector<std::string> independent, dependent;
@@ -22,10 +22,11 @@ struct Structure {
     int coordinates = 6;  // Z, V, W
     int cut_equations = 0;
     int degrees_of_freedom = 6;  // Z and V: the size of P_a
+    int hitch_freedoms = 0;      // among them, of trailers
     int wheel_spins = 0;         // on top, one momentum each
 };
 
-Structure structure(const Vehicle<double>& vehicle, const std::vector<std::string>& corner_names);
+Structure structure(const Vehicle<double>& vehicle, const VehicleDescription& description);
 
 // One row of the paper's Table 2: constraints removed by a joint, with Euler parameters for the bodies.
 struct ConstraintRow {

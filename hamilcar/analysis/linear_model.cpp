@@ -10,11 +10,36 @@
 
 namespace hamilcar {
 
+namespace {
+
+// The linear damper with the mean of the slopes on both sides of rest.
+DamperDescription mean_about_rest(const DamperDescription& d) {
+    if (d.velocity.size() < 2) return d;
+    const auto slope_at = [&](double velocity) {
+        std::size_t i = 1;
+        while (i + 1 < d.velocity.size() && d.velocity[i] < velocity) ++i;
+        return (d.force[i] - d.force[i - 1]) / (d.velocity[i] - d.velocity[i - 1]);
+    };
+    constexpr double aside = 1e-9;  // [m/s]
+    const double mean = 0.5 * (slope_at(-aside) + slope_at(aside));
+    return {{-1, 1}, {-mean, mean}};
+}
+
+VehicleDescription with_mean_dampers(VehicleDescription vehicle) {
+    for (CornerDescription& corner : vehicle.corners) corner.damper = mean_about_rest(corner.damper);
+    for (ComposedSpokeDescription& spoke : vehicle.composed) {
+        for (ComposedDamperDescription& damper : spoke.dampers) damper.damper = mean_about_rest(damper.damper);
+    }
+    return vehicle;
+}
+
+}  // namespace
+
 Linearizer::Linearizer(const VehicleDescription& vehicle, const Point* seat)
-    : vehicle_(vehicle),
+    : vehicle_(with_mean_dampers(vehicle)),
       seat_(seat ? *seat : vehicle.chassis.center_of_mass),
-      model_{.vehicle = Vehicle<double>(vehicle), .road = PlaneRoad<double>(0, 0, 1)},
-      reduced_(vehicle, model_.vehicle) {}
+      model_{.vehicle = Vehicle<double>(vehicle_), .road = PlaneRoad<double>(0, 0, 1)},
+      reduced_(vehicle_, model_.vehicle) {}
 
 OperatingPoint Linearizer::at_rest() const {
     OperatingPoint out;

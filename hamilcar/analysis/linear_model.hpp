@@ -40,7 +40,8 @@ struct LinearModel {
 
 class Linearizer {
 public:
-    // The seat is a point of the vehicle frame; the chassis' center of mass if absent.
+    // The seat is a point of the vehicle frame; the chassis' center of mass if absent. Steady dampers are at rest, where most
+    // have a kink between bump and rebound: each counts with the mean of both slopes.
     explicit Linearizer(const VehicleDescription& vehicle, const Point* seat = nullptr);
 
     // The vehicle settles; a moving one is then brought to its speed and led to the lateral acceleration by Newton's method
@@ -49,7 +50,7 @@ public:
 
     LinearModel linearize(const OperatingPoint& at) const;
 
-    const VehicleDescription& vehicle() const { return vehicle_; }
+    const VehicleDescription& vehicle() const { return vehicle_; }  // with such dampers
     const Model<double>& model() const { return model_; }
 
 private:

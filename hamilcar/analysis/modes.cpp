@@ -12,6 +12,8 @@ namespace hamilcar {
 
 namespace {
 
+constexpr double standstill = 1e-5;  // an eigenvalue below it is zero but for round-off [1/s]
+
 struct WheelPlace {
     std::string name, axle;  // "rear_left", "rear"
     double x, y;             // [m]
@@ -68,10 +70,14 @@ std::vector<NamedMotion> motions(const LinearModel& m, const VehicleDescription&
     const double middle = 0.5 * (front + rear);
     const std::complex<double> heave = state("height") - state("pitch") * middle;
     const double rate = std::max(std::abs(eigenvalue), 1e-3);
+    const std::complex<double> s = std::abs(eigenvalue) > 1e-3 ? eigenvalue : std::complex<double>(1e-3);
+    // Sideways at the road: the center of mass, from which the output comes, also moves by roll.
+    const Point& mass = d.chassis.center_of_mass;
+    const std::complex<double> sideways = (y[1] + y[2] * (middle - mass[0])) / s + state("roll") * mass[2];
     std::vector<NamedMotion> out{{"heave", std::abs(heave)},
                                  {"pitch", std::abs(state("pitch")) * half_base},
                                  {"roll", std::abs(state("roll")) * half_track},
-                                 {"sideslip", std::abs(y[1] - y[2] * middle) / rate},
+                                 {"sideslip", std::abs(sideways)},
                                  {"yaw", std::abs(y[2]) * half_base / rate},
                                  {"speed", std::abs(y[0]) / rate}};
     std::vector<std::complex<double>> lift;  // over the road: of the body there, and of the wheel against it
@@ -98,7 +104,7 @@ std::vector<NamedMotion> motions(const LinearModel& m, const VehicleDescription&
 // A wheel that turns by itself or a brake that unwinds moves nothing else.
 std::string name_of(const LinearModel& m, const Eigen::VectorXcd& v, const std::vector<NamedMotion>& ranked,
                     std::complex<double> eigenvalue, bool oscillates, bool drives) {
-    if (std::abs(eigenvalue) < 1e-5) return "neutral";
+    if (std::abs(eigenvalue) < standstill) return "neutral";
     double body = 0, internal = 0;
     for (Eigen::Index i = 0; i < v.size(); ++i) {
         const std::string& state = m.states[static_cast<std::size_t>(i)];
@@ -121,7 +127,7 @@ std::vector<Mode> modes(const LinearModel& model, const VehicleDescription& vehi
     for (Eigen::Index i = 0; i < model.A.rows(); ++i) {
         const std::complex<double> s = solver.eigenvalues()[i];
         if (s.imag() < 0) continue;
-        const bool oscillates = s.imag() > 1e-9 * std::abs(s);
+        const bool oscillates = s.imag() > 1e-9 * std::abs(s) && std::abs(s) > standstill;
         const Eigen::VectorXcd v = solver.eigenvectors().col(i);
         std::vector<NamedMotion> ranked = motions(model, vehicle, v, s);
         std::ranges::sort(ranked, std::greater<>(), &NamedMotion::amplitude);

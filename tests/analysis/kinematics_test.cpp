@@ -1,0 +1,145 @@
+// Kinematics against the published and derived figures of the vehicle data (E30: section 2.3 and 2.4 of the notes, E21:
+// VDANL), against textbook linkages, and against each other.
+#include "hamilcar/analysis/kinematics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "hamilcar/suspension/compose_corner.hpp"
+#include "support/fleet.hpp"
+
+namespace hamilcar {
+namespace {
+
+constexpr double degree = 180 / std::numbers::pi;
+constexpr double foot = 0.3048;  // [m]
+
+AxleReport axle(const VehicleDescription& car, const std::string& name) {
+    for (const AxleReport& report : kinematics(car, SweepRange{})) {
+        if (report.name == name) return report;
+    }
+    ADD_FAILURE() << name;
+    return {};
+}
+
+// Per meter of bump, about design.
+double gain(const AxleReport& report, double WheelFigures::*figure) {
+    const std::vector<AxleFigures>& rows = report.sweeps[0].rows;
+    const std::size_t middle = rows.size() / 2;
+    return (rows[middle + 1].left.*figure - rows[middle - 1].left.*figure) /
+           (rows[middle + 1].left.travel - rows[middle - 1].left.travel);
+}
+
+TEST(E30, FrontFiguresAreThoseOfTheNotes) {
+    const AxleReport front = axle(test::shipped("bmw_323i"), "front");
+    const WheelFigures& f = front.design.left;
+    EXPECT_NEAR(degree * f.caster, 8.94, 0.02);        // W6
+    EXPECT_NEAR(degree * f.inclination, 13.94, 0.02);  // W6
+    EXPECT_NEAR(f.scrub, 0.010, 2e-4);
+    EXPECT_NEAR(f.trail, 0.020, 2e-4);
+    EXPECT_NEAR(front.design.roll_center, 0.0945, 3e-4);
+    EXPECT_NEAR(f.dive_slope, 0.0415, 3e-4);
+    EXPECT_NEAR(degree * gain(front, &WheelFigures::camber), -22.56, 0.05);  // VDANL: -0.12 rad/ft
+    EXPECT_NEAR(degree * gain(front, &WheelFigures::toe), -2.5, 0.15);
+    EXPECT_NEAR(f.spring_ratio, 0.9238, 2e-4);
+    EXPECT_NEAR(f.wheel_rate, 24453, 30);  // VDANL
+    const AxleFigures& lock = front.sweeps[2].rows.back();
+    EXPECT_NEAR(degree * (lock.left.steer - f.steer), 41.31, 0.03);  // W6: inner wheel at 73 mm of rack, toe aside
+    EXPECT_NEAR(degree * (lock.right.steer - front.design.right.steer), 33.97, 0.03);  // outer
+    EXPECT_NEAR(front.anti_brake, 12, 0.5);
+}
+
+TEST(E30, RearFiguresAreThoseOfTheNotes) {
+    const AxleReport rear = axle(test::shipped("bmw_323i"), "rear");
+    EXPECT_NEAR(rear.design.roll_center, 0.1225, 3e-4);
+    EXPECT_NEAR(degree * gain(rear, &WheelFigures::camber), -35.1, 0.05);  // W2: 0.9 degrees an inch
+    EXPECT_NEAR(rear.design.left.dive_slope, -0.646, 0.02);
+    EXPECT_NEAR(rear.anti_drive, 0, 0.5);
+    EXPECT_NEAR(rear.design.left.spring_ratio, 0.6791, 2e-4);
+    EXPECT_NEAR(rear.design.left.damper_ratio, 1.053, 5e-4);
+    EXPECT_NEAR(rear.design.left.wheel_rate, 19636, 30);  // VDANL
+}
+
+TEST(E21, CamberGainsAreThoseOfVdanl) {
+    const VehicleDescription car = test::shipped("bmw_e21_320i");
+    const AxleReport front = axle(car, "front"), rear = axle(car, "rear");
+    EXPECT_NEAR(gain(front, &WheelFigures::camber) * foot, -0.12, 1e-3);
+    EXPECT_NEAR(gain(rear, &WheelFigures::camber) * foot, -0.276, 1e-3);
+    EXPECT_NEAR(front.design.left.wheel_rate, 24453, 60);
+    EXPECT_NEAR(rear.design.left.wheel_rate, 19636, 60);
+    EXPECT_NEAR(rear.design.roll_center, 0.173, 3e-3);  // of the notes, with a sweep of 20 degrees
+}
+
+TEST(Kinematics, ComposedCornersGiveTheSameFigures) {
+    const VehicleDescription car = test::shipped("bmw_323i");
+    const auto compiled = kinematics(car, SweepRange{}), composed = kinematics(composed_throughout(car), SweepRange{});
+    ASSERT_EQ(compiled.size(), composed.size());
+    for (std::size_t i = 0; i < compiled.size(); ++i) {
+        ASSERT_EQ(compiled[i].sweeps.size(), composed[i].sweeps.size());
+        for (std::size_t s = 0; s < compiled[i].sweeps.size(); ++s) {
+            const auto &a = compiled[i].sweeps[s].rows, &b = composed[i].sweeps[s].rows;
+            ASSERT_EQ(a.size(), b.size());
+            for (std::size_t k = 0; k < a.size(); ++k) {
+                EXPECT_NEAR(a[k].left.camber, b[k].left.camber, 1e-9);
+                EXPECT_NEAR(a[k].right.steer, b[k].right.steer, 1e-9);
+                EXPECT_NEAR(a[k].roll_center, b[k].roll_center, 1e-7);
+                EXPECT_NEAR(a[k].left.spring_ratio, b[k].left.spring_ratio, 1e-8);
+            }
+        }
+    }
+}
+
+// A Panhard rod holds its axle sideways: the roll center lies where the rod crosses the middle plane.
+TEST(Kinematics, RollCenterOfAPanhardAxleLiesOnTheRod) {
+    VehicleDescription car = test::shipped("offroader");
+    for (const ComposedSpokeDescription& spoke : car.composed) {
+        if (spoke.suspension != "panhard_axle") continue;
+        for (const CutJointDescription& cut : spoke.linkage.cuts) {
+            if (cut.name != "Panhard rod") continue;
+            const double share = cut.tip[1] / (cut.tip[1] - cut.foot[1]);
+            const double height = cut.tip[2] + share * (cut.foot[2] - cut.tip[2]);
+            EXPECT_NEAR(axle(car, spoke.name).design.roll_center, height, 0.02) << spoke.name;
+        }
+    }
+}
+
+TEST(Kinematics, EndsWithWheelTravelAndJointBeyondReach) {
+    SweepRange far;
+    far.travel = 0.6;
+    bool ended = false;
+    for (const AxleReport& report : kinematics(test::shipped("bmw_323i"), far)) {
+        for (const Sweep& sweep : report.sweeps) {
+            if (sweep.ended.empty()) continue;
+            ended = true;
+            EXPECT_NE(sweep.ended.find("mm left"), std::string::npos) << sweep.ended;
+        }
+    }
+    EXPECT_TRUE(ended);
+}
+
+class EveryAxle : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryAxle, GoesThroughItsSweepsSymmetrically) {
+    for (const AxleReport& report :
+         kinematics(test::shipped(GetParam()), SweepRange{.travel = 0.05, .roll = 0.04, .steps = 20})) {
+        for (const Sweep& sweep : report.sweeps) {
+            EXPECT_EQ(sweep.ended, "") << report.name << " " << sweep.name;
+            EXPECT_EQ(sweep.rows.size(), 21u) << report.name << " " << sweep.name;
+        }
+        const bool has_a_side = GetParam() == "offroader" || GetParam() == "truck_semitrailer";
+        for (const AxleFigures& row : report.sweeps[0].rows) {
+            if (!has_a_side) {
+                EXPECT_NEAR(row.left.camber, row.right.camber, 1e-9) << report.name;
+            }
+            EXPECT_GT(row.left.spring_ratio, 0.2) << report.name;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Vehicles, EveryAxle, testing::ValuesIn(test::fleet()),
+                         [](const auto& one) { return one.param; });
+
+}  // namespace
+}  // namespace hamilcar
