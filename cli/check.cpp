@@ -114,7 +114,6 @@ std::string report(const nlohmann::json& facts) {
         }
     }
     const auto& table = facts["table_2"];
-    const int coordinates = table["coordinates"].get<int>(), constraints = table["constraints"].get<int>();
     const int hitches = facts["hitch_freedoms"].get<int>();
     const std::string trailers = hitches > 0 ? fmt::format(", hitches {}", hitches) : "";
     s += fmt::format("\ncoordinates q            {} (chassis 6, suspensions {}{})\n", facts["coordinates"].get<int>(),
@@ -124,6 +123,7 @@ std::string report(const nlohmann::json& facts) {
                      facts["degrees_of_freedom"].get<int>(), facts["degrees_of_freedom"].get<int>() - 6 - hitches,
                      hitches > 0 ? fmt::format(" + {} of hitches", hitches) : "", facts["wheel_spins"].get<int>());
     if (table.is_null()) return s;
+    const int coordinates = table["coordinates"].get<int>(), constraints = table["constraints"].get<int>();
     s += fmt::format("counted as in the paper's Table 2: {} x 7 = {} coordinates - {} constraints = {}\n",
                      facts["bodies"].get<int>(), coordinates, constraints, coordinates - constraints);
     s += fmt::format(
