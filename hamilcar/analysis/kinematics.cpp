@@ -82,7 +82,7 @@ WheelFigures figures(const WheelMotion& wheel, const Side& side, const Eigen::Ve
     out.spring_ratio = ratio(wheel.springs, side.line, bump, side.first);
     out.damper_ratio = ratio(wheel.dampers, side.line, bump, side.first);
     out.dive_slope = velocity_at<double>(v, contact)[0];
-    out.drive_slope = wheel.live_axle > 0 ? out.dive_slope : velocity_at<double>(v, wheel.center)[0];
+    out.drive_slope = wheel.own_differential ? out.dive_slope : velocity_at<double>(v, wheel.center)[0];
     out.wheel_rate = none;
     read_steering_axis(wheel, side, contact, out);
     return out;

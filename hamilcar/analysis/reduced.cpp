@@ -48,11 +48,11 @@ ReducedCoordinates::ReducedCoordinates(const VehicleDescription& d, const Vehicl
     }
     for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
         const Trailer<double>& trailer = vehicle.trailers[i];
-        const bool ball = d.trailers[i].hitch == Hitch::ball;
-        const char* const angles[] = {"yaw", ball ? "roll" : "pitch", "pitch"};
+        const std::vector<std::string> angles = hitch_angles(d.trailers[i].hitch);
         for (int j = 0; j < trailer.freedoms(); ++j) {
-            add(trailer.offset + j, d.trailers[i].name + ".hitch." + angles[j]);
-            add(trailer.offset + trailer.freedoms() + j, d.trailers[i].name + ".hitch_momentum." + angles[j]);
+            const std::string& angle = angles[static_cast<std::size_t>(j)];
+            add(trailer.offset + j, d.trailers[i].name + ".hitch." + angle);
+            add(trailer.offset + trailer.freedoms() + j, d.trailers[i].name + ".hitch_momentum." + angle);
         }
     }
 }

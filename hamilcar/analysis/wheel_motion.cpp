@@ -37,7 +37,7 @@ WheelMotion corner_motion(const Model<double>& model, const State<double>& state
         },
         spoke.suspension);
     out.design_center = spoke.wheel.center, out.design_axis = spoke.wheel.axis;
-    out.radius = radius_of(spoke.tire), out.live_axle = 0;
+    out.radius = radius_of(spoke.tire), out.own_differential = false;
     return out;
 }
 
@@ -49,7 +49,7 @@ WheelMotion composed_motion(const ComposedSpoke<double>& spoke, const ComposedPo
     WheelMotion out;
     out.center = at.pose[frame].point(wheel.wheel.center), out.axis = at.pose[frame].direction(wheel.wheel.axis);
     out.design_center = wheel.wheel.center, out.design_axis = wheel.wheel.axis;
-    out.radius = radius_of(wheel.tire), out.live_axle = wheel.live;
+    out.radius = radius_of(wheel.tire), out.own_differential = wheel.reaction != 0;
     for (int j = 0; j < n; ++j) {
         out.J.push_back(at.motion.J[frame].col(j));
         out.coordinates.push_back(spoke.offset + j);

@@ -24,7 +24,7 @@ struct WheelMotion {
     std::vector<Spatial<double>> J;            // motion of the carrier per independent coordinate
     Spatial<double> steer;                     // and per unit of rack, these held still
     std::vector<LineMotion> springs, dampers;  // its own, or all of a spoke that carries both wheels
-    double live_axle;                          // 1: drive torque reacts on the carrier
+    bool own_differential;  // the axle holds it: drive acts at the contact as a brake does, not at the wheel's center
 };
 
 // Wheels of the motor vehicle and its trailers in the order of the description: corners, then composed suspensions.

@@ -32,7 +32,7 @@ std::vector<int> shape(const ComposedSpoke<double>& spoke) {
     out.push_back(spoke.unit);
     for (const auto& body : spoke.bodies) out.push_back(body.frame);
     for (const auto& wheel : spoke.wheels) {
-        out.insert(out.end(), {wheel.frame, wheel.tires, wheel.live, static_cast<int>(wheel.tire.index())});
+        out.insert(out.end(), {wheel.frame, wheel.tires, wheel.reaction, static_cast<int>(wheel.tire.index())});
     }
     const auto add = [&](const auto& elements) {
         out.push_back(static_cast<int>(elements.size()));

@@ -101,10 +101,14 @@ public:
         out_.windup_rate[i] = brake.windup_rate;
         out_.spin_momentum_rate[i] = f.tire_spin_torque + f.drive_torque + f.brake_torque;
         external_ += wrench;
-        if (!wheel.live) angular(wrench) += axis * f.drive_torque;
+        const Spatial<T> shaft = spatial<T>(Vec3<T>::Zero(), axis * f.drive_torque);
+        if (wheel.reaction != wheel.frame) wrench += shaft;
         add(wheel.frame, wrench, spatial<T>(Vec3<T>::Zero(), velocity_.spin_momentum[i]));
-        const T shaft = wheel.live ? f.spin : T(f.spin + axis.dot(angular(motion) - angular(world_.hub)));
-        work_ += f.drive_torque * shaft + f.brake_torque * f.spin;
+        if (wheel.reaction != 0 && wheel.reaction != wheel.frame) {
+            add(wheel.reaction, Spatial<T>(-shaft), Spatial<T>::Zero());
+        }
+        const T turned = axis.dot(angular(motion) - angular(velocity_.motion[wheel.reaction]));
+        work_ += f.drive_torque * (f.spin + turned) + f.brake_torque * f.spin;
 
         f.travel = velocity_.center[i][2] - wheel.wheel.center[2];
         f.bar = bar;
@@ -223,8 +227,9 @@ void finish_trailer(const Trailer<T>& trailer, const TrailerVelocity<T>& at, con
     for (int j = 0; j < n; ++j) {
         out.momentum_rate[j] = at.hitch.motion.J[n].col(j).dot(carried) + rates.motion.J[n].col(j).dot(h);
     }
-    out.momentum_rate[0] -= trailer.yaw_damping * at.own.V_rate[0];
-    work_rate -= trailer.yaw_damping * at.own.V_rate[0] * at.own.V_rate[0];
+    const T yaw_rate = at.own.V_rate[trailer.yaw], damping = trailer.yaw_damping * yaw_rate;
+    out.momentum_rate[trailer.yaw] -= damping;
+    work_rate -= damping * yaw_rate;
     tow_external += Q;
 }
 

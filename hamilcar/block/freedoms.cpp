@@ -17,7 +17,7 @@ std::vector<StateFreedom> state_freedoms(const Vehicle<double>& vehicle) {
     }
     for (const Trailer<double>& trailer : vehicle.trailers) {
         const int n = trailer.freedoms();
-        for (int j = 0; j < n; ++j) out.push_back({trailer.offset + j, trailer.offset + n + j, j == 0});
+        for (int j = 0; j < n; ++j) out.push_back({trailer.offset + j, trailer.offset + n + j, j == trailer.yaw});
     }
     return out;
 }

@@ -146,7 +146,8 @@ struct ComposedWheelDescription {
     TireDescription tire;
     BrakeDescription brake;
     double drive_share = 0;  // of the drive torque at this wheel [1]
-    bool live_axle = false;  // the drive torque reacts on the carrier, which holds the differential, not on the chassis
+    std::size_t drive_reaction =
+        0;  // part that the drive torque reacts on: the hub, or where an axle's differential sits
 };
 
 // What a spring or a damper acts along: between two points, or along (about) a coordinate of the linkage.
@@ -185,8 +186,17 @@ struct ComposedBarDescription {
     double rate = 0;  // [N/m] of wheel travel difference
 };
 
-// ball: three rotations, roll, pitch and yaw; fifth_wheel: yaw and pitch, roll is passed on.
+// ball: yaw, roll and pitch; fifth_wheel: its plate pitches on what pulls, the trailer yaws on the plate, roll is passed on.
 enum class Hitch { ball, fifth_wheel };
+
+// The hitch's coordinates in order.
+inline std::vector<std::string> hitch_angles(Hitch hitch) {
+    if (hitch == Hitch::ball) return {"yaw", "roll", "pitch"};
+    return {"pitch", "yaw"};
+}
+inline int hitch_yaw(Hitch hitch) {
+    return hitch == Hitch::ball ? 0 : 1;
+}
 
 struct TrailerDescription {
     std::string name;
@@ -229,5 +239,12 @@ struct VehicleDescription {
     SteeringDescription steering;
     double gravity = 9.80665;  // [m/s^2]
 };
+
+// Wheels of composed suspensions: the number of the next.
+inline std::size_t composed_wheel_count(const VehicleDescription& vehicle) {
+    std::size_t count = 0;
+    for (const ComposedSpokeDescription& spoke : vehicle.composed) count += spoke.wheels.size();
+    return count;
+}
 
 }  // namespace hamilcar

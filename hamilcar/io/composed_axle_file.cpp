@@ -14,11 +14,14 @@ using hamilcar::mirrored;
 
 namespace {
 
-void read_keys(const TableReader& table, const std::vector<HardpointKey>& keys, Hardpoints& to) {
+void read_keys(const TableReader& table, const std::vector<HardpointKey>& keys, bool on_trailer, Hardpoints& to) {
     for (const HardpointKey& key : keys) {
         const std::string name(key.key);
         switch (key.kind) {
-            case HardpointKind::flag: to.numbers[name] = table.boolean(key.key, key.otherwise[0] != 0); break;
+            case HardpointKind::flag:  // the driver's rack does not reach a trailer
+                to.numbers[name] = table.boolean(key.key, key.otherwise[0] != 0 && !on_trailer);
+                table.expect(!on_trailer || !to.flag(name), key.key, "false on a trailer");
+                break;
             case HardpointKind::number: to.numbers[name] = table.number(key.key, positive, key.otherwise[0]); break;
             case HardpointKind::direction:
                 to.points[name] = table.has(key.key) ? table.direction(key.key) : key.otherwise;
@@ -36,14 +39,14 @@ const std::vector<HardpointKey> rocker_keys{{"pivot_m", HardpointKind::point, "a
                                             {"rod_rocker_m", HardpointKind::point, "push rod, end on the rocker"},
                                             {"rod_end_m", HardpointKind::point, "push rod, end on the suspension"}};
 
-Hardpoints read_hardpoints(const TableReader& axle, const Recipe& recipe) {
+Hardpoints read_hardpoints(const TableReader& axle, const Recipe& recipe, bool on_trailer) {
     Hardpoints points;
-    read_keys(axle.table("hardpoints"), recipe.keys, points);
+    read_keys(axle.table("hardpoints"), recipe.keys, on_trailer, points);
     if (recipe.may_have_rocker && axle.has("rocker")) {
         const TableReader rocker = axle.table("rocker");
         constexpr std::string_view parts[] = {"lower_arm", "carrier"};
         points.rod_on = parts[rocker.one_of("rod_on", parts)];
-        read_keys(rocker, rocker_keys, points);
+        read_keys(rocker, rocker_keys, on_trailer, points);
     }
     return points;
 }
@@ -82,7 +85,10 @@ struct Lines {
 
 Lines read_line(const TableReader& table, const Composition& composition, std::string_view usual_part) {
     const PartChoice& part = part_of(table, "on", composition, usual_part);
-    const Lines lines{{part.left, 0, table.array<3>("at_m"), table.array<3>("body_m"), {}}, part.right};
+    Lines lines{{part.left, 0, table.array<3>("at_m"), table.array<3>("body_m"), {}}, part.right};
+    if (composition.carriers.size() == 2 && table.has("right_on")) {
+        lines.right_part = part_of(table, "right_on", composition, part.name).right;
+    }
     table.expect(lines.left.on_part != lines.left.on_base, "body_m", "a point apart from 'at_m'");
     return lines;
 }
@@ -106,7 +112,7 @@ ComposedWheelDescription read_left_wheel(const TableReader& axle, const NamedTir
             .tire = tire_of(axle, tires),
             .brake = read_brake(axle.optional_table("brake")),
             .drive_share = axle.number("drive_share", fraction, 0) / 2,
-            .live_axle = composition.live_axle};
+            .drive_reaction = composition.drive_reaction};
 }
 
 ComposedWheelDescription right_wheel(ComposedWheelDescription wheel, const std::string& axle, std::size_t part) {
@@ -208,7 +214,7 @@ void read_composed_axle(const TableReader& axle, const NamedTires& tires, std::s
     const Recipe* recipe = find_recipe(keyword);
     Composition left, right;
     if (recipe) {
-        const Hardpoints points = read_hardpoints(axle, *recipe);
+        const Hardpoints points = read_hardpoints(axle, *recipe, unit > 0);
         left = recipe->compose(points);
         if (!recipe->two_wheels) right = recipe->compose(points.mirrored_side());
         check_composition(axle, left, read_wheel(axle.table("wheel")));
@@ -219,8 +225,7 @@ void read_composed_axle(const TableReader& axle, const NamedTires& tires, std::s
     const std::string_view usual_part = recipe ? recipe->spring_part : left.parts[0].name;
     ComposedSpokeDescription named;
     named.name = axle.text("name"), named.suspension = keyword, named.unit = unit;
-    std::size_t first_wheel = 0;
-    for (const ComposedSpokeDescription& spoke : vehicle.composed) first_wheel += spoke.wheels.size();
+    const std::size_t first_wheel = composed_wheel_count(vehicle);
     if (left.carriers.size() == 2) {
         add_two_wheel_spoke(axle, tires, left, usual_part, named, vehicle);
     } else {

@@ -31,6 +31,11 @@ TreeJointDescription read_joint(const TableReader& table, const LinkageDescripti
     joint.kind = static_cast<TreeJoint>(table.one_of("kind", kinds));
     joint.part = table.text("part");
     const auto names = part_names(before, true);
+    constexpr std::string_view taken[] = {"name",   "suspension", "tire",      "hardpoints",   "wheel",
+                                          "spring", "damper",     "bump_stop", "rebound_stop", "anti_roll_bar",
+                                          "brake",  "joint",      "cut",       "rocker",       "twist_spring"};
+    table.expect(std::ranges::find(taken, joint.part) == std::end(taken), "part",
+                 "a name that no other table of an axle has");
     table.expect(std::ranges::find(names, joint.part) == names.end(), "part", "a name that no other part has");
     joint.parent = part_or_chassis(table, "parent", before);
     joint.point = table.array<3>("point_m");
@@ -75,7 +80,7 @@ Composition read_linkage(const TableReader& axle, const WheelDescription& wheel)
         out.carriers.push_back(right);
         wheels.push_back({right, mirrored(wheel.center)});
     }
-    out.live_axle = axle.boolean("live_axle", false);
+    if (axle.has("drive_reaction_part")) out.drive_reaction = part_or_chassis(axle, "drive_reaction_part", out.linkage);
     out.parts = {{"carrier", carrier, right, true, true}};
     for (std::size_t i = 0; i < out.linkage.joints.size(); ++i) {
         const std::string& name = out.linkage.joints[i].part;

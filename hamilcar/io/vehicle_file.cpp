@@ -10,6 +10,7 @@
 #include "hamilcar/io/composed_axle_file.hpp"
 #include "hamilcar/io/mirror.hpp"
 #include "hamilcar/io/number_text.hpp"
+#include "hamilcar/suspension/compose_corner.hpp"
 #include "hamilcar/suspension/list.hpp"
 
 namespace hamilcar::io {
@@ -58,14 +59,24 @@ void check_name(const TableReader& table, std::vector<std::string>& taken) {
     taken.push_back(name);
 }
 
-// Both sides of an axle whose suspension has a program of its own.
-void read_corners(const TableReader& axle, const NamedTires& tires, VehicleDescription& vehicle) {
-    const std::size_t left = vehicle.corners.size();
-    vehicle.corners.push_back(read_left_corner(axle, tires));
-    vehicle.corners.push_back(mirrored(vehicle.corners.back()));
-    vehicle.corners.back().name = axle.text("name") + "_right";
-    if (const auto bar = axle.optional_table("anti_roll_bar")) {
-        vehicle.anti_roll_bars.push_back({left, left + 1, bar->number("rate_N_per_m", not_negative)});
+// Both sides of an axle whose suspension has a program of its own. On a trailer, or where a vehicle has more of them than
+// there are places, they are composed of parts like all others.
+void read_corners(const TableReader& axle, const NamedTires& tires, std::size_t unit, VehicleDescription& vehicle) {
+    const CornerDescription left = read_left_corner(axle, tires);
+    CornerDescription right = mirrored(left);
+    right.name = axle.text("name") + "_right";
+    const auto bar = axle.optional_table("anti_roll_bar");
+    const double rate = bar ? bar->number("rate_N_per_m", not_negative) : 0;
+    if (unit == 0 && vehicle.corners.size() + 2 <= max_spokes) {
+        if (bar) vehicle.anti_roll_bars.push_back({vehicle.corners.size(), vehicle.corners.size() + 1, rate});
+        vehicle.corners.push_back(left), vehicle.corners.push_back(right);
+        return;
+    }
+    const std::size_t first = composed_wheel_count(vehicle);
+    if (bar) vehicle.composed_bars.push_back({first, first + 1, rate});
+    for (const CornerDescription& corner : {left, right}) {
+        vehicle.composed.push_back(compose_corner(corner));
+        vehicle.composed.back().unit = unit;
     }
 }
 
@@ -79,9 +90,8 @@ void read_axles(const TableReader& owner, const NamedTires& tires, std::size_t u
                 VehicleDescription& vehicle) {
     for (const TableReader& axle : owner.tables("axle")) {
         check_name(axle, names);
-        const bool own = unit == 0 && has_own_program(axle) && vehicle.corners.size() + 2 <= max_spokes;
-        if (own) {
-            read_corners(axle, tires, vehicle);
+        if (has_own_program(axle)) {
+            read_corners(axle, tires, unit, vehicle);
         } else {
             read_composed_axle(axle, tires, unit, vehicle);
         }

@@ -242,10 +242,11 @@ void add_trailer_channels(std::vector<Channel>& list, const TrailerDescription& 
             return degree * s.state.values[static_cast<std::size_t>(s.model.vehicle.trailers[i].offset + k)];
         };
     };
-    const bool ball = trailer.hitch == Hitch::ball;
-    add(list, trailer.name + ".hitch.yaw", "deg", "of the trailer against what pulls it, to the left", angle(0), true);
-    add(list, trailer.name + ".hitch.pitch", "deg", "likewise, nose down", angle(ball ? 2 : 1));
-    if (ball) add(list, trailer.name + ".hitch.roll", "deg", "likewise, to the right", angle(1));
+    const std::vector<std::string> angles = hitch_angles(trailer.hitch);
+    for (std::size_t k = 0; k < angles.size(); ++k) {
+        add(list, trailer.name + ".hitch." + angles[k], "deg", "of the trailer against what pulls it, ISO 8855 sense",
+            angle(static_cast<int>(k)), angles[k] == "yaw");
+    }
     const char* axes[] = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis) {
         add(

@@ -40,7 +40,7 @@ Composition free_axle(const Point& center) {
     out.linkage.independent = {2, 4};  // heave, roll
     out.parts = {{"carrier", axle, axle, true, true}, {"axle", axle, axle}};
     out.carriers = {axle, axle};
-    out.live_axle = true;
+    out.drive_reaction = axle;  // the differential sits in it
     return out;
 }
 

@@ -60,7 +60,7 @@ struct Composition {
     LinkageDescription linkage;
     std::vector<PartChoice> parts;
     std::vector<std::size_t> carriers;  // of the wheels, left first
-    bool live_axle = false;             // the drive torque reacts on the axle
+    std::size_t drive_reaction = 0;     // part that the drive torque reacts on: 0 the hub
     std::optional<int> twist;           // coordinate of a twist beam
 
     // Adds a joint and gives the number of the part it carries.

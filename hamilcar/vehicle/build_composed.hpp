@@ -34,7 +34,7 @@ template <class T>
 ComposedWheel<T> make_composed_wheel(const LinkageDescription& linkage, const ComposedWheelDescription& d, int offset) {
     return {.frame = frame_of_part(linkage, d.part),
             .tires = d.dual_spacing > 0 ? 2 : 1,
-            .live = d.live_axle ? 1 : 0,
+            .reaction = frame_of_part(linkage, d.drive_reaction),
             .offset = offset,
             .wheel = make_wheel<T>(d.wheel),
             .half_spacing = T(d.dual_spacing / 2),
@@ -94,14 +94,14 @@ ComposedSpoke<T> make_composed(const ComposedSpokeDescription& d, int offset, in
     return out;
 }
 
-// A hitch as a linkage without loops: yaw, pitch, roll, or yaw and pitch.
+// A hitch as a linkage without loops; its coordinates are `hitch_angles`.
 inline LinkageDescription hitch_linkage(const TrailerDescription& d) {
     TreeJointDescription joint;
     joint.part = d.name, joint.point = d.hitch_point;
     if (d.hitch == Hitch::ball) {
         joint.kind = TreeJoint::spherical;
     } else {
-        joint.kind = TreeJoint::universal, joint.axis = {0, 0, 1}, joint.second_axis = {0, 1, 0};
+        joint.kind = TreeJoint::universal, joint.axis = {0, 1, 0}, joint.second_axis = {0, 0, 1};
     }
     return {.joints = {joint}, .cuts = {}, .independent = {}};
 }
@@ -111,6 +111,7 @@ Trailer<T> make_trailer(const TrailerDescription& d, int offset) {
     const RigidBody<T> chassis = make_body<T>(d.chassis);
     return {.tow = static_cast<int>(d.tow),
             .offset = offset,
+            .yaw = hitch_yaw(d.hitch),
             .hitch = compose_for<T>(hitch_linkage(d)),
             .chassis = chassis,
             .chassis_inertia = SpatialInertia<T>::about_origin(chassis.mass, chassis.center, chassis.inertia),

@@ -31,7 +31,7 @@ struct ComposedBody {
 template <class T>
 struct ComposedWheel {
     int frame, tires;  // tires: one, or two abreast
-    int live;          // 1: the drive torque reacts on the carrier
+    int reaction;      // frame that the drive torque reacts on; 0: the hub
     int offset;        // of its first number from the spoke's
     Wheel<T> wheel;
     T half_spacing;  // of two tires from the wheel's center along the axis [m]
@@ -41,7 +41,7 @@ struct ComposedWheel {
     T drive_share;  // of the drive torque [1]
     static constexpr auto members() {
         using W = ComposedWheel;
-        return std::tuple(&W::frame, &W::tires, &W::live, &W::offset, &W::wheel, &W::half_spacing, &W::bump,
+        return std::tuple(&W::frame, &W::tires, &W::reaction, &W::offset, &W::wheel, &W::half_spacing, &W::bump,
                           &W::rebound, &W::tire, &W::brake, &W::drive_share);
     }
     static constexpr int size(int tires) { return 2 + 2 * tires; }
@@ -103,13 +103,14 @@ struct ComposedSpoke {
 template <class T>
 struct Trailer {
     int tow, offset;  // unit that pulls it; of its numbers in the state
+    int yaw;          // which of the hitch's coordinates
     ComposedLinkage<T> hitch;
     RigidBody<T> chassis;
     SpatialInertia<T> chassis_inertia;  // about the origin of the vehicle frame
     T yaw_damping;                      // of the hitch [N m s/rad]
     static constexpr auto members() {
         using R = Trailer;
-        return std::tuple(&R::tow, &R::offset, &R::hitch, &R::chassis, &R::chassis_inertia, &R::yaw_damping);
+        return std::tuple(&R::tow, &R::offset, &R::yaw, &R::hitch, &R::chassis, &R::chassis_inertia, &R::yaw_damping);
     }
     int freedoms() const { return hitch.nV(); }
 };
