@@ -21,6 +21,10 @@ namespace {
 
 constexpr double projection_accuracy = 1e-13;
 
+// Of a step. Where the rack's acceleration jumps between two steps each has its own; a step that took the other's would
+// leave its linkage open by the first order of h, and the projection would close it by moving the chassis as well.
+constexpr double within = 1e-6;
+
 }  // namespace
 
 struct SimbodyCar::Engine {
@@ -125,14 +129,17 @@ double SimbodyCar::energy() const {
     return engine_->system.calcEnergy(engine_->state);
 }
 
+// Each step takes the rack's acceleration at its ends from within.
 void SimbodyCar::advance(double t0, double h, int steps, const std::function<Inputs(double)>& inputs) {
     Engine& engine = *engine_;
-    Inputs start = inputs(t0);
-    engine.impose(t0, start);
+    engine.impose(t0, inputs(t0));
     engine.project();
     for (int n = 0; n < steps; ++n) {
         const double t = t0 + n * h, end_time = t0 + (n + 1) * h;
-        const Inputs middle = inputs(t + h / 2), end = inputs(end_time);
+        Inputs start = inputs(t), end = inputs(end_time);
+        const Inputs middle = inputs(t + h / 2);
+        start.rack_acceleration = inputs(t + within * h).rack_acceleration;
+        end.rack_acceleration = inputs(end_time - within * h).rack_acceleration;
         const Vector y = engine.state.getY();
         const Vector k1 = engine.rate(t, start, y);
         const Vector k2 = engine.rate(t + h / 2, middle, y + h / 2 * k1);
@@ -141,7 +148,6 @@ void SimbodyCar::advance(double t0, double h, int steps, const std::function<Inp
         engine.impose(end_time, end);
         engine.state.updY() = y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
         engine.project();
-        start = end;
     }
 }
 

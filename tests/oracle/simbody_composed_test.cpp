@@ -34,7 +34,7 @@ protected:
         const Drive& drive = GetParam();
         ScenarioDescription s = test::scenario(duration, drive.speed);
         s.solver.integrator = "rk4";
-        s.solver.step = 5e-4;
+        s.solver.step = std::getenv("OUR") ? std::atof(std::getenv("OUR")) : 5e-4;
         s.drive = test::table({0, 0.3, 1.2, 1.5}, {0, drive.torque, drive.torque, 0});
         s.brake = test::table({1.8, 2.2}, {0, drive.brake});
         s.steering_input = SteeringInput::rack;
@@ -70,7 +70,7 @@ protected:
 };
 
 TEST_P(SimbodyComposed, TakesTheSamePath) {
-    constexpr double oracle_step = 1e-3, look_every = 0.1;
+    const double oracle_step = std::getenv("THEIR") ? std::atof(std::getenv("THEIR")) : 1e-3, look_every = 0.1;
     const long our_steps = std::lround(look_every / simulation.scenario().solver.step);
     double largest = gap();
     while (!simulation.finished()) {
@@ -79,7 +79,7 @@ TEST_P(SimbodyComposed, TakesTheSamePath) {
         for (long i = 0; i < our_steps; ++i) {
             if (const auto end = simulation.advance()) FAIL() << end->message;
         }
-        largest = std::max(largest, gap());
+        largest = std::max(largest, gap()); if (std::getenv("SHOW")) std::printf("%.1f %.2e\n", simulation.time(), gap());
     }
     RecordProperty("largest_path_gap_m", std::to_string(largest));
     std::printf("largest gap: %.2e m\n", largest);

@@ -15,9 +15,10 @@ using SimTK::Vec3;
 namespace {
 
 // The split between carrier and wheel does not change the motion, as the wheel is a body of revolution; it only has to
-// leave bodies that can exist. A disc without thickness has 0.5 here.
+// leave bodies that can exist. A disc without thickness has 0.5 here; much more, and a light knuckle is left with less
+// than nothing.
 constexpr double wheel_mass_share = 0.1;
-constexpr double transverse_over_spin_inertia = 0.55;
+constexpr double transverse_over_spin_inertia = 0.505;
 
 SymMat33 inertia_about_own_center(const BodyDescription& body) {
     const auto& [xx, yy, zz] = body.inertia;
