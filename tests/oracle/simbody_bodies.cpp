@@ -1,5 +1,5 @@
-// The car's bodies in Simbody: a free chassis, trailers on their hitches, spindles that are free and held by constraints
-// (or on their struts), pinned arms, and a wheel on each.
+// The car's bodies in Simbody: a free chassis, trailers on their hitches, spindles that are free and held by
+// constraints (or on their struts), pinned arms, and a wheel on each.
 
 #include "tests/oracle/simbody_parts.hpp"
 

@@ -105,8 +105,8 @@ public:
     double energy() const;
 
     // Classical Runge-Kutta of order four with a fixed step; coordinates and speeds are projected on the constraints
-    // after each step. `inputs` is called with t0, t0 + h/2, t0 + h, ... and, as the rack's acceleration may jump between
-    // two steps, just inside the ends of each.
+    // after each step. `inputs` is called with t0, t0 + h/2, t0 + h, ... and, as the rack's acceleration may jump
+    // between two steps, just inside the ends of each.
     void advance(double t0, double h, int steps, const std::function<Inputs(double)>& inputs);
 
     // One full evaluation of the equations of motion at the current state; the norm of the accelerations.

@@ -1,5 +1,5 @@
-// Composed suspensions in Simbody: every coordinate of the tree is a pin or a slider of its own, with massless bodies in
-// between, so that its value is the description's; every cut joint is one or two of Simbody's constraints.
+// Composed suspensions in Simbody: every coordinate of the tree is a pin or a slider of its own, with massless bodies
+// in between, so that its value is the description's; every cut joint is one or two of Simbody's constraints.
 
 #include "tests/oracle/simbody_parts.hpp"
 

@@ -1,6 +1,6 @@
-// Every shipped vehicle with composed suspensions in an independent engine: Simbody builds trees, cut joints, dual wheels,
-// live axles and trailers from the same description. Driven, steered and braked for 3 s, chassis and trailers take the
-// same path within 1e-8 m. Both engines take steps of 1 ms, so that a kink of a force law costs both the same.
+// The shipped vehicles in an independent engine: Simbody builds trees, cut joints, dual wheels, live axles and trailers
+// from the same description. Driven, steered and braked for 3 s, chassis and trailers take the same path within 1e-8 m.
+// Both engines take steps of 1 ms, so that a kink of a force law costs both the same.
 #include <gtest/gtest.h>
 
 #include "oracle/side_by_side.hpp"

@@ -98,7 +98,7 @@ void add_bodies(Parts&, SimTK::MobilizedBody& ground);
 // The composed suspensions, on units that are there; with their wheels, springs and dampers.
 void add_composed(Parts&);
 
-// A wheel on that carrier; `share` of a mass is the wheel's own.
+// A wheel of that mass, and its z-variables, on a carrier that is there.
 void add_wheel(Parts&, const ComposedWheelDescription&, std::size_t hub, std::size_t carrier, double mass);
 
 // One coordinate as a mobilizer of its own: the child's frame sits at `station` of the parent at design and slides

@@ -1,5 +1,5 @@
-// Every recipe of a suspension in an independent engine: cars on four such wheels, thrown on a slope with a slide, a roll
-// and a yaw rate, run into their stops; no part, spring or point is where symmetry could hide something.
+// Every recipe of a suspension in an independent engine: cars on four such wheels, thrown on a slope with a slide, a
+// roll and a yaw rate, run into their stops; no part, spring or point is where symmetry could hide something.
 #include <gtest/gtest.h>
 
 #include "linkage/composed_samples.hpp"
@@ -132,6 +132,7 @@ VehicleDescription car_on(const ComposedSample& sample) {
 ScenarioDescription thrown() {
     ScenarioDescription s = test::scenario(1, 12);
     s.solver.integrator = "rk4";
+    s.solver.step = 5e-4;
     s.initial.settle = false;
     s.initial.velocity = {12, 0.5, 0.1}, s.initial.angular_velocity = {0.3, -0.1, 0.2};
     s.road = {.grade = 0.03, .bank = 0.02, .friction = 0.9};
