@@ -1,14 +1,11 @@
-// The car's bodies in Simbody: a free chassis, spindles that are free and held by constraints (or on their struts),
-// pinned arms, and a wheel on each.
+// The car's bodies in Simbody: a free chassis, trailers on their hitches, spindles that are free and held by
+// constraints (or on their struts), pinned arms, and a wheel on each.
 
 #include "tests/oracle/simbody_parts.hpp"
-
-#include <stdexcept>
 
 namespace hamilcar::oracle {
 
 using SimTK::Body;
-using SimTK::Inertia;
 using SimTK::MobilizedBody;
 using SimTK::Rotation;
 using SimTK::State;
@@ -18,63 +15,23 @@ using SimTK::Vec3;
 
 namespace {
 
-// The split between carrier and wheel does not change the motion, as the wheel is a body of revolution; it only has to
-// leave two bodies that can exist. A disc without thickness has 0.5 here.
-constexpr double wheel_mass_share = 0.1;
-constexpr double transverse_over_spin_inertia = 0.55;
-
-SimTK::SymMat33 inertia_about_own_center(const BodyDescription& body) {
-    const auto& [xx, yy, zz] = body.inertia;
-    const auto& [xy, yz, xz] = body.products;
-    return SimTK::SymMat33(xx, xy, yy, xz, yz, zz);
-}
-
-// scale (|a|^2 1 - a a^T): of a point mass at `a`; for a unit vector, `scale` about every axis across it.
-SimTK::SymMat33 across(double scale, const Vec3& a) {
-    return scale * (SimTK::SymMat33(a.normSqr()) -
-                    SimTK::SymMat33(a[0] * a[0], a[0] * a[1], a[1] * a[1], a[0] * a[2], a[1] * a[2], a[2] * a[2]));
-}
-
-SimTK::MassProperties chassis_mass(const BodyDescription& body) {
-    const Vec3 center = to_vec3(body.center_of_mass);
-    return {body.mass, center, Inertia(inertia_about_own_center(body) + across(body.mass, center))};
-}
-
-SimTK::MassProperties wheel_mass(const CornerDescription& corner) {
-    const double spin = corner.wheel.spin_inertia;
-    const double transverse = transverse_over_spin_inertia * spin;
-    return {wheel_mass_share * corner.carrier.mass, Vec3(0), Inertia(transverse, transverse, spin)};
-}
-
-// What the wheel's body leaves of the carrier, about the wheel center.
-SimTK::MassProperties carrier_mass(const CornerDescription& corner) {
-    const BodyDescription& body = corner.carrier;
-    const Vec3 arm = to_vec3(body.center_of_mass) - to_vec3(corner.wheel.center);
-    const Vec3 axis(UnitVec3(to_vec3(corner.wheel.spin_axis)));
-    const double transverse = transverse_over_spin_inertia * corner.wheel.spin_inertia;
-    const double mass = (1 - wheel_mass_share) * body.mass;
-    const Vec3 center = arm * body.mass / mass;
-    const SimTK::SymMat33 about_wheel =
-        inertia_about_own_center(body) + across(body.mass, arm) - across(transverse, axis);
-    if (!Inertia::isValidInertiaMatrix(about_wheel - across(mass, center)))
-        throw std::invalid_argument(corner.name + ": the carrier's inertia has no room for the wheel's");
-    return {mass, center, Inertia(about_wheel)};
-}
-
 // The rack has no mass and moves as the inputs say.
 class RackMotion : public SimTK::Motion::Custom::Implementation {
 public:
-    explicit RackMotion(const Inputs& inputs) : inputs_(inputs) {}
+    RackMotion(const Inputs& inputs, double ratio) : inputs_(inputs), ratio_(ratio) {}
 
     SimTK::Motion::Level getLevel(const State&) const override { return SimTK::Motion::Position; }
-    void calcPrescribedPosition(const State&, int, double* q) const override { *q = inputs_.rack; }
-    void calcPrescribedPositionDot(const State&, int, double* rate) const override { *rate = inputs_.rack_rate; }
+    void calcPrescribedPosition(const State&, int, double* q) const override { *q = ratio_ * inputs_.rack; }
+    void calcPrescribedPositionDot(const State&, int, double* rate) const override {
+        *rate = ratio_ * inputs_.rack_rate;
+    }
     void calcPrescribedPositionDotDot(const State&, int, double* acceleration) const override {
-        *acceleration = inputs_.rack_acceleration;
+        *acceleration = ratio_ * inputs_.rack_acceleration;
     }
 
 private:
     const Inputs& inputs_;
+    double ratio_;
 };
 
 // Its slide axis runs through T.
@@ -91,16 +48,17 @@ void add_arm_and_tie_rod(Parts& parts, const Linkage& linkage, MobilizedBody& sp
     SimTK::Constraint::PointInPlane(parts.chassis, linkage.arm_axis, ~linkage.arm_axis * linkage.arm_foot, spindle,
                                     linkage.ball - center);
     SimTK::Constraint::Rod(parts.chassis, linkage.arm_foot, spindle, linkage.ball - center, linkage.arm_length);
-
-    const Transform rack_frame(Rotation(linkage.rack_axis, SimTK::XAxis), linkage.rack_end);
-    MobilizedBody rack = MobilizedBody::Slider(parts.chassis, rack_frame, Body::Massless(), Transform());
-    SimTK::Motion::Custom(rack, new RackMotion(parts.inputs));
+    MobilizedBody rack = add_rack(parts, parts.chassis, linkage.rack_end, Vec3(linkage.rack_axis));
     SimTK::Constraint::Rod(rack, Vec3(0), spindle, linkage.tie_rod - center, linkage.tie_rod_length);
+}
+
+SimTK::MassProperties corner_mass(const CornerDescription& corner) {
+    return carrier_mass(corner.name, {corner.carrier}, {corner.wheel}, to_vec3(corner.wheel.center));
 }
 
 void add_spindle(Parts& parts, const CornerDescription& corner, CornerParts& bodies) {
     const Linkage linkage(corner);
-    const SimTK::MassProperties mass = carrier_mass(corner);
+    const SimTK::MassProperties mass = corner_mass(corner);
     if (parts.spindle_model == SpindleModel::free) {
         bodies.carrier = add_free_spindle(parts, linkage, mass);
     } else {
@@ -116,29 +74,104 @@ MobilizedBody add_arm(Parts& parts, const CornerDescription& corner) {
     Vec3 axis = to_vec3(arm.outer_bush) - bush;
     if (axis[1] < 0) axis = -axis;
     const Rotation pin_frame(UnitVec3(axis), SimTK::ZAxis);
-    return MobilizedBody::Pin(parts.chassis, Transform(pin_frame, bush), Body::Rigid(carrier_mass(corner)),
+    return MobilizedBody::Pin(parts.chassis, Transform(pin_frame, bush), Body::Rigid(corner_mass(corner)),
                               Transform(pin_frame, bush - to_vec3(corner.wheel.center)));
+}
+
+// On a strut both act along it; on an arm each has its own line.
+void add_axial_elements(Parts& parts, const CornerDescription& corner, std::size_t carrier) {
+    const auto add = [&](const Point& on_carrier, const Point& on_chassis, const SpringDescription& spring,
+                         const DamperDescription& damper) {
+        const double length = (to_vec3(on_chassis) - to_vec3(on_carrier)).norm();
+        parts.axial.push_back(
+            {carrier, 0, parts.bodies[carrier].station(on_carrier), to_vec3(on_chassis), {}, spring, damper, length});
+    };
+    if (const auto* strut = std::get_if<MacPhersonDescription>(&corner.suspension))
+        return add(strut->slide_point, strut->strut_top, corner.spring, corner.damper);
+    const auto& arm = std::get<SemiTrailingArmDescription>(corner.suspension);
+    add(arm.spring_arm, arm.spring_body, corner.spring, {});
+    add(arm.damper_arm, arm.damper_body, {}, corner.damper);
+}
+
+void add_corner(Parts& parts, const CornerDescription& corner) {
+    CornerParts bodies;
+    if (std::holds_alternative<SemiTrailingArmDescription>(corner.suspension)) {
+        bodies.carrier = add_arm(parts, corner);
+    } else {
+        add_spindle(parts, corner, bodies);
+    }
+    parts.corners.push_back(bodies);
+    const std::size_t carrier = parts.place(bodies.carrier, to_vec3(corner.wheel.center));
+    ComposedWheelDescription wheel;
+    wheel.name = corner.name, wheel.wheel = corner.wheel, wheel.bump = corner.bump, wheel.rebound = corner.rebound;
+    wheel.tire = corner.tire, wheel.brake = corner.brake, wheel.drive_share = corner.drive_share;
+    add_wheel(parts, wheel, 0, carrier, wheel_mass_of(corner.carrier.mass, 1));
+    add_axial_elements(parts, corner, carrier);
+}
+
+// A ball turns about z, x', y'', a fifth wheel about z, y'; the trailer's frame sits at the hitch.
+void add_trailer(Parts& parts, const TrailerDescription& trailer) {
+    const Vec3 hitch = to_vec3(trailer.hitch_point);
+    const Placed& tow = parts.bodies.at(trailer.tow);
+    const Body chassis = Body::Rigid(mass_about(trailer.chassis, hitch));
+    TreeParts bodies;
+    const auto turn = [&](const MobilizedBody& on, const Vec3& station, const UnitVec3& axis, const Body& body) {
+        bodies.coordinates.push_back(add_coordinate(on, station, false, axis, body));
+        return bodies.coordinates.back();
+    };
+    MobilizedBody last = turn(tow.body, tow.station(trailer.hitch_point), SimTK::ZAxis, Body::Massless());
+    if (trailer.hitch == Hitch::ball) last = turn(last, Vec3(0), SimTK::XAxis, Body::Massless());
+    last = turn(last, Vec3(0), SimTK::YAxis, chassis);
+    parts.hitches.push_back(bodies);
+    parts.place(last, hitch);
 }
 
 }  // namespace
 
+MobilizedBody add_coordinate(MobilizedBody parent, const Vec3& station, bool slides, const UnitVec3& axis,
+                             const Body& body) {
+    if (slides) {
+        const Rotation frame(axis, SimTK::XAxis);
+        return MobilizedBody::Slider(parent, Transform(frame, station), body, Transform(frame));
+    }
+    const Rotation frame(axis, SimTK::ZAxis);
+    return MobilizedBody::Pin(parent, Transform(frame, station), body, Transform(frame));
+}
+
+MobilizedBody add_rack(const Parts& parts, MobilizedBody base, const Vec3& station, const Vec3& drive) {
+    MobilizedBody rack = add_coordinate(base, station, true, UnitVec3(drive), Body::Massless());
+    SimTK::Motion::Custom(rack, new RackMotion(parts.inputs, drive.norm()));
+    return rack;
+}
+
+void add_wheel(Parts& parts, const ComposedWheelDescription& description, std::size_t hub, std::size_t carrier,
+               double mass) {
+    const WheelDescription& wheel = description.wheel;
+    const Rotation spin_frame(UnitVec3(to_vec3(wheel.spin_axis)), SimTK::ZAxis);
+    MobilizedBody& on = parts.bodies[carrier].body;
+    const Transform place(spin_frame, parts.bodies[carrier].station(wheel.center));
+    const MobilizedBody body = MobilizedBody::Pin(on, place, Body::Rigid(wheel_mass(wheel, mass)), Transform());
+    parts.wheels.push_back({description, hub, carrier, parts.place(body, to_vec3(wheel.center)), parts.z_count});
+    parts.z_count = parts.wheels.back().windup_z() + 1;
+}
+
 void add_bodies(Parts& parts, MobilizedBody& ground) {
-    parts.chassis = MobilizedBody::Free(ground, Body::Rigid(chassis_mass(parts.description.chassis)));
+    const VehicleDescription& car = parts.description;
+    parts.chassis = MobilizedBody::Free(ground, Body::Rigid(mass_about(car.chassis, Vec3(0))));
+    parts.place(parts.chassis, Vec3(0));
+    for (const TrailerDescription& trailer : car.trailers) add_trailer(parts, trailer);
     bool any_spindle = false;
-    for (const CornerDescription& corner : parts.description.corners) {
-        CornerParts bodies;
-        if (std::holds_alternative<SemiTrailingArmDescription>(corner.suspension)) {
-            bodies.carrier = add_arm(parts, corner);
-        } else {
-            add_spindle(parts, corner, bodies);
-            any_spindle = true;
-        }
-        const Rotation spin_frame(UnitVec3(to_vec3(corner.wheel.spin_axis)), SimTK::ZAxis);
-        bodies.wheel =
-            MobilizedBody::Pin(bodies.carrier, Transform(spin_frame), Body::Rigid(wheel_mass(corner)), Transform());
-        parts.corners.push_back(bodies);
+    for (const CornerDescription& corner : car.corners) {
+        add_corner(parts, corner);
+        any_spindle = any_spindle || std::holds_alternative<MacPhersonDescription>(corner.suspension);
     }
     if (any_spindle && parts.spindle_model == SpindleModel::strut_one_constraint) add_arms_and_tie_rods(parts);
+    add_composed(parts);
+    for (const AntiRollBarDescription& bar : car.anti_roll_bars) parts.bars.push_back({bar.left, bar.right, bar.rate});
+    for (const ComposedBarDescription& bar : car.composed_bars) {
+        const std::size_t first = car.corners.size();
+        parts.bars.push_back({first + bar.left, first + bar.right, bar.rate});
+    }
 }
 
 }  // namespace hamilcar::oracle

@@ -21,14 +21,14 @@ namespace {
 
 constexpr double projection_accuracy = 1e-13;
 
+// Of a step. Where the rack's acceleration jumps between two steps each has its own; a step that took the other's would
+// leave its linkage open by the first order of h, and the projection would close it by moving the chassis as well.
+constexpr double within = 1e-6;
+
 }  // namespace
 
 struct SimbodyCar::Engine {
     Engine(const VehicleDescription& description, const Road& road, SpindleModel spindle_model);
-
-    void set_spindle(std::size_t i, const Corner& corner);
-    void set_corner(std::size_t i, const Corner& corner);
-    Corner corner(std::size_t i) const;
 
     // Time and inputs change everything Simbody has computed for the state.
     void impose(double time, const Inputs& inputs) {
@@ -52,66 +52,11 @@ struct SimbodyCar::Engine {
 };
 
 SimbodyCar::Engine::Engine(const VehicleDescription& description, const Road& road, SpindleModel spindle_model)
-    : parts{description, road, spindle_model, {}, {}, {}}, gravity(forces, matter, -SimTK::ZAxis, description.gravity) {
+    : parts{description, road, spindle_model}, gravity(forces, matter, -SimTK::ZAxis, description.gravity) {
     add_bodies(parts, matter.Ground());
     SimTK::Force::Custom(forces, make_forces(parts, forces));
     state = system.realizeTopology();
     system.realizeModel(state);
-}
-
-void SimbodyCar::Engine::set_spindle(std::size_t i, const Corner& values) {
-    const CornerParts& bodies = parts.corners[i];
-    const Linkage linkage(parts.description.corners[i]);
-    const Transform pose = spindle_pose(linkage, values.independent, parts.inputs.rack);
-    const SimTK::SpatialVec twist = spindle_twist(linkage, pose, values.independent_rate, parts.inputs);
-    if (parts.spindle_model == SpindleModel::free) {
-        bodies.carrier.setQToFitTransform(state, Transform(pose.R(), pose.p() - linkage.wheel_center));
-        bodies.carrier.setUToFitVelocity(state, twist);
-    } else {  // the piston rod turns with the spindle
-        bodies.piston_rod.setQToFitRotation(state, pose.R());
-        bodies.piston_rod.setUToFitAngularVelocity(state, twist[0]);
-        bodies.carrier.setOneQ(state, 0, values.independent);
-        bodies.carrier.setOneU(state, 0, values.independent_rate);
-    }
-}
-
-void SimbodyCar::Engine::set_corner(std::size_t i, const Corner& values) {
-    const CornerDescription& corner = parts.description.corners[i];
-    const CornerParts& bodies = parts.corners[i];
-    if (std::holds_alternative<MacPhersonDescription>(corner.suspension)) {
-        set_spindle(i, values);
-    } else {
-        bodies.carrier.setOneQ(state, 0, values.independent);
-        bodies.carrier.setOneU(state, 0, values.independent_rate);
-    }
-    bodies.wheel.setOneQ(state, 0, 0);  // a body of revolution: its angle means nothing
-    bodies.wheel.setOneU(state, 0, values.spin);
-    const int z = 3 * static_cast<int>(i);
-    Vector& deflection = forces.updZ(state);
-    deflection[z] = values.u;
-    deflection[z + 1] = values.v;
-    deflection[z + 2] = values.b;
-}
-
-Corner SimbodyCar::Engine::corner(std::size_t i) const {
-    const CornerDescription& description = parts.description.corners[i];
-    const CornerParts& bodies = parts.corners[i];
-    Corner values;
-    if (const auto* strut = std::get_if<MacPhersonDescription>(&description.suspension)) {
-        const Line line = line_between(parts, CarMotion(parts, state), i, strut->slide_point, strut->strut_top);
-        values.independent = line.length;
-        values.independent_rate = line.rate;
-    } else {
-        values.independent = bodies.carrier.getOneQ(state, 0);
-        values.independent_rate = bodies.carrier.getOneU(state, 0);
-    }
-    values.spin = bodies.wheel.getOneU(state, 0);
-    const int z = 3 * static_cast<int>(i);
-    const Vector& deflection = forces.getZ(state);
-    values.u = deflection[z];
-    values.v = deflection[z + 1];
-    values.b = deflection[z + 2];
-    return values;
 }
 
 Vector SimbodyCar::Engine::rate(double time, const Inputs& inputs, const Vector& y) {
@@ -123,13 +68,7 @@ Vector SimbodyCar::Engine::rate(double time, const Inputs& inputs, const Vector&
 
 SimbodyCar::SimbodyCar(const VehicleDescription& description, const Road& road, SpindleModel spindle_model)
     : engine_(std::make_unique<Engine>(description, road, spindle_model)) {
-    CarState design;
-    for (const CornerDescription& corner : description.corners) {
-        design.corners.emplace_back();
-        if (const auto* strut = std::get_if<MacPhersonDescription>(&corner.suspension))
-            design.corners.back().independent = (to_vec3(strut->strut_top) - to_vec3(strut->slide_point)).norm();
-    }
-    set_state(design);
+    set_state(design_state(engine_->parts));
 }
 
 SimbodyCar::~SimbodyCar() = default;
@@ -145,7 +84,12 @@ void SimbodyCar::set_state(const CarState& values) {
     MobilizedBody& chassis = engine.parts.chassis;
     chassis.setQToFitTransform(engine.state, Transform(rotation, to_vec3(values.position)));
     chassis.setUToFitVelocity(engine.state, {to_vec3(values.angular_velocity), to_vec3(values.velocity)});
-    for (std::size_t i = 0; i < engine.parts.corners.size(); ++i) engine.set_corner(i, values.corners.at(i));
+    const Parts& parts = engine.parts;
+    Vector& z = engine.forces.updZ(engine.state);
+    for (std::size_t i = 0; i < parts.corners.size(); ++i) set_corner(parts, i, values.corners.at(i), engine.state, z);
+    for (std::size_t i = 0; i < parts.composed.size(); ++i)
+        set_composed(parts, i, values.composed.at(i), engine.state, z);
+    for (std::size_t i = 0; i < parts.hitches.size(); ++i) set_hitch(parts, i, values.trailers.at(i), engine.state);
     engine.project();
 }
 
@@ -163,8 +107,21 @@ CarState SimbodyCar::state() const {
         values.angular_velocity[i] = angular_velocity[i];
         for (int j = 0; j < 3; ++j) values.rotation[3 * i + j] = rotation[i][j];
     }
-    for (std::size_t i = 0; i < engine.parts.corners.size(); ++i) values.corners.push_back(engine.corner(i));
+    const Vector& z = engine.forces.getZ(engine.state);
+    for (std::size_t i = 0; i < engine.parts.corners.size(); ++i)
+        values.corners.push_back(corner_of(engine.parts, i, engine.state, z));
+    for (std::size_t i = 0; i < engine.parts.composed.size(); ++i)
+        values.composed.push_back(composed_of(engine.parts, i, engine.state, z));
+    for (std::size_t i = 0; i < engine.parts.hitches.size(); ++i)
+        values.trailers.push_back(hitch_of(engine.parts, i, engine.state));
     return values;
+}
+
+std::array<double, 3> SimbodyCar::ground_point(std::size_t unit, const Point& point) const {
+    const Placed& body = engine_->parts.bodies.at(unit);
+    engine_->system.realize(engine_->state, Stage::Position);
+    const Vec3 at = body.body.findStationLocationInGround(engine_->state, body.station(point));
+    return {at[0], at[1], at[2]};
 }
 
 double SimbodyCar::energy() const {
@@ -172,14 +129,17 @@ double SimbodyCar::energy() const {
     return engine_->system.calcEnergy(engine_->state);
 }
 
+// Each step takes the rack's acceleration at its ends from within.
 void SimbodyCar::advance(double t0, double h, int steps, const std::function<Inputs(double)>& inputs) {
     Engine& engine = *engine_;
-    Inputs start = inputs(t0);
-    engine.impose(t0, start);
+    engine.impose(t0, inputs(t0));
     engine.project();
     for (int n = 0; n < steps; ++n) {
         const double t = t0 + n * h, end_time = t0 + (n + 1) * h;
-        const Inputs middle = inputs(t + h / 2), end = inputs(end_time);
+        Inputs start = inputs(t), end = inputs(end_time);
+        const Inputs middle = inputs(t + h / 2);
+        start.rack_acceleration = inputs(t + within * h).rack_acceleration;
+        end.rack_acceleration = inputs(end_time - within * h).rack_acceleration;
         const Vector y = engine.state.getY();
         const Vector k1 = engine.rate(t, start, y);
         const Vector k2 = engine.rate(t + h / 2, middle, y + h / 2 * k1);
@@ -188,7 +148,6 @@ void SimbodyCar::advance(double t0, double h, int steps, const std::function<Inp
         engine.impose(end_time, end);
         engine.state.updY() = y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
         engine.project();
-        start = end;
     }
 }
 

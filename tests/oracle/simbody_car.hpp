@@ -8,6 +8,7 @@
 #include "hamilcar/description/vehicle.hpp"
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -31,12 +32,34 @@ struct Corner {
     double b = 0;                 // brake wind-up [rad]
 };
 
+struct TireState {
+    double u = 0, v = 0;  // contact deflections, along and across [m]
+};
+
+struct WheelState {
+    double spin = 0;               // relative to the carrier [rad/s]
+    double b = 0;                  // brake wind-up [rad]
+    std::vector<TireState> tires;  // one, or two abreast: the first toward the spin axis
+};
+
+// A composed suspension: all coordinates of its tree in order, the dependent ones as well [m, rad].
+struct TreeState {
+    std::vector<double> coordinates, rates;
+    std::vector<WheelState> wheels;
+};
+
+struct HitchState {
+    std::vector<double> angles, rates;  // ball: about z, x', y''; fifth wheel: about z, y' [rad, rad/s]
+};
+
 struct CarState {
     std::array<double, 3> position{};                           // vehicle frame's origin, ground axes [m]
     std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};  // row-major, vehicle axes to ground
     std::array<double, 3> velocity{};                           // of that origin, ground axes [m/s]
     std::array<double, 3> angular_velocity{};                   // of the chassis, ground axes [rad/s]
     std::vector<Corner> corners;                                // as in the description
+    std::vector<TreeState> composed;                            // likewise
+    std::vector<HitchState> trailers;                           // likewise
 };
 
 // The plane z = grade x + bank y.
@@ -56,6 +79,8 @@ enum class SpindleModel {
 
 class SimbodyCar {
 public:
+    // Throws std::invalid_argument where the description has a body that Simbody cannot move: one without mass at the
+    // end of its tree, or a carrier whose inertia has no room for the wheel's.
     SimbodyCar(const VehicleDescription& description, const Road& road,
                SpindleModel spindle_model = SpindleModel::free);
     ~SimbodyCar();
@@ -65,16 +90,23 @@ public:
     void set_inputs(const Inputs& inputs);
 
     // Finds the spindles' poses and velocities that belong to the strut lengths, their rates and the current rack
-    // input. Throws std::runtime_error where the linkage does not reach, std::out_of_range if a corner is missing.
+    // input. Coordinates of composed suspensions need only be near closed loops: they are projected on them. Throws
+    // std::runtime_error where the linkage does not reach, std::out_of_range if a corner, spoke, wheel, coordinate or
+    // trailer is missing.
     void set_state(const CarState& state);
 
     CarState state() const;
+
+    // Where a point of the motor vehicle (unit 0) or of a trailer's chassis (from 1 on) is, in ground axes [m]; the
+    // point as in the description.
+    std::array<double, 3> ground_point(std::size_t unit, const Point& point) const;
 
     // Kinetic, and the potentials of gravity, springs, bars, stops and vertical tire stiffness [J].
     double energy() const;
 
     // Classical Runge-Kutta of order four with a fixed step; coordinates and speeds are projected on the constraints
-    // after each step. `inputs` is called with t0, t0 + h/2, t0 + h, ...
+    // after each step. `inputs` is called with t0, t0 + h/2, t0 + h, ... and, as the rack's acceleration may jump
+    // between two steps, just inside the ends of each.
     void advance(double t0, double h, int steps, const std::function<Inputs(double)>& inputs);
 
     // One full evaluation of the equations of motion at the current state; the norm of the accelerations.

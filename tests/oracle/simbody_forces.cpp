@@ -8,9 +8,7 @@
 namespace hamilcar::oracle {
 
 using SimTK::MobilizedBody;
-using SimTK::SpatialVec;
 using SimTK::State;
-using SimTK::UnitVec3;
 using SimTK::Vec3;
 using SimTK::Vector;
 
@@ -43,44 +41,46 @@ public:
     CarForces(const Parts& parts, const SimTK::GeneralForceSubsystem& subsystem)
         : parts_(parts), subsystem_(subsystem) {}
 
-    void realizeTopology(State& state) const override {
-        subsystem_.allocateZ(state, Vector(3 * static_cast<int>(parts_.corners.size()), 0.0));
-    }
+    void realizeTopology(State& state) const override { subsystem_.allocateZ(state, Vector(parts_.z_count, 0.0)); }
 
     void calcForce(const State& state, Loads& loads, SimTK::Vector_<Vec3>&, Vector& mobility_forces) const override {
         CarMotion car(parts_, state);
-        for (std::size_t i = 0; i < parts_.corners.size(); ++i) {
-            add_spring_and_damper(i, car);
+        for (const AxialElement& element : parts_.axial) add_spring_and_damper(state, element, car, mobility_forces);
+        for (std::size_t i = 0; i < parts_.wheels.size(); ++i) {
             add_stops(i, car);
-            add_road(state, i, car.corners[i]);
+            add_road(state, i, car);
             add_drive_and_brake(state, i, car, mobility_forces);
         }
-        for (const AntiRollBarDescription& bar : parts_.description.anti_roll_bars) {
+        for (const TravelBar& bar : parts_.bars) {
             const double force = bar.rate * (travel(car, bar.left) - travel(car, bar.right));
             lift(bar.left, -force, car);
             lift(bar.right, force, car);
         }
-        add_drag(car.chassis);
-        car.chassis.add_load(loads);
-        for (const CornerMotion& corner : car.corners) {
-            corner.carrier.add_load(loads);
-            corner.wheel.add_load(loads);
+        for (std::size_t i = 0; i < parts_.hitches.size(); ++i) {
+            const MobilizedBody& yaw = parts_.hitches[i].coordinates.front();
+            const double damping = parts_.description.trailers[i].yaw_damping;
+            yaw.applyOneMobilityForce(state, 0, -damping * yaw.getOneU(state, 0), mobility_forces);
         }
+        add_drag(car.bodies.front());
+        for (const MovingBody& body : car.bodies) body.add_load(loads);
     }
 
     double calcPotentialEnergy(const State& state) const override {
         const CarMotion car(parts_, state);
         double energy = 0;
-        for (std::size_t i = 0; i < parts_.corners.size(); ++i) {
-            const CornerDescription& corner = parts_.description.corners[i];
-            const SpringLine spring = spring_line(car, i);
-            const double compression = spring.design - spring.line.length;
-            energy += compression * (corner.spring.force_at_design + corner.spring.rate * compression / 2);
-            const double z = travel(car, i);
-            energy += stop_energy(corner.bump, z) + stop_energy(corner.rebound, -z);
-            energy += tire_energy(parts_, i, car.corners[i]);
+        for (const AxialElement& element : parts_.axial) {
+            const double length =
+                element.coordinate ? element.coordinate->getOneQ(state, 0) : line_between(element, car).length;
+            const double compression = element.design_length - length;
+            energy += compression * (element.spring.force_at_design + element.spring.rate * compression / 2);
         }
-        for (const AntiRollBarDescription& bar : parts_.description.anti_roll_bars) {
+        for (std::size_t i = 0; i < parts_.wheels.size(); ++i) {
+            const ComposedWheelDescription& wheel = parts_.wheels[i].description;
+            const double z = travel(car, i);
+            energy += stop_energy(wheel.bump, z) + stop_energy(wheel.rebound, -z);
+            for (int k = 0; k < parts_.wheels[i].tires(); ++k) energy += tire_energy(parts_, i, k, car);
+        }
+        for (const TravelBar& bar : parts_.bars) {
             const double difference = travel(car, bar.left) - travel(car, bar.right);
             energy += bar.rate * difference * difference / 2;
         }
@@ -88,89 +88,77 @@ public:
     }
 
 private:
-    struct SpringLine {
-        Line line;
-        double design;  // its length at design [m]
-    };
-
-    SpringLine between(const CarMotion& car, std::size_t i, const Point& on_carrier, const Point& on_chassis) const {
-        const double design = (to_vec3(on_chassis) - to_vec3(on_carrier)).norm();
-        return {line_between(parts_, car, i, on_carrier, on_chassis), design};
-    }
-
-    SpringLine spring_line(const CarMotion& car, std::size_t i) const {
-        const SuspensionDescription& suspension = parts_.description.corners[i].suspension;
-        if (const auto* strut = std::get_if<MacPhersonDescription>(&suspension))
-            return between(car, i, strut->slide_point, strut->strut_top);
-        const auto& arm = std::get<SemiTrailingArmDescription>(suspension);
-        return between(car, i, arm.spring_arm, arm.spring_body);
-    }
-
-    void add_spring_and_damper(std::size_t i, CarMotion& car) const {
-        const CornerDescription& corner = parts_.description.corners[i];
-        const auto spread = [&](const Line& line, double force) {
-            car.corners[i].carrier.push(line.on_carrier, -force * line.direction);
-            car.chassis.push(line.on_chassis, force * line.direction);
+    void add_spring_and_damper(const State& state, const AxialElement& element, CarMotion& car,
+                               Vector& mobility_forces) const {
+        const auto force = [&](double length, double rate) {
+            return element.spring.force_at_design + element.spring.rate * (element.design_length - length) -
+                   damper_force(element.damper, rate);
         };
-        const SpringLine spring = spring_line(car, i);
-        const double spring_force =
-            corner.spring.force_at_design + corner.spring.rate * (spring.design - spring.line.length);
-        const auto* arm = std::get_if<SemiTrailingArmDescription>(&corner.suspension);
-        if (!arm) return spread(spring.line, spring_force - damper_force(corner.damper, spring.line.rate));
-        spread(spring.line, spring_force);
-        const Line damper = line_between(parts_, car, i, arm->damper_arm, arm->damper_body);
-        spread(damper, -damper_force(corner.damper, damper.rate));
+        if (element.coordinate) {
+            const MobilizedBody& body = *element.coordinate;
+            body.applyOneMobilityForce(state, 0, force(body.getOneQ(state, 0), body.getOneU(state, 0)),
+                                       mobility_forces);
+            return;
+        }
+        const Line line = line_between(element, car);
+        const Vec3 push = force(line.length, line.rate) * line.direction;
+        car.bodies[element.part].push(line.on_part, -push);
+        car.bodies[element.base].push(line.on_base, push);
     }
 
-    // Wheel center above its design height, in vehicle axes.
+    // Wheel center above its design height, in the axes of its hub.
     double travel(const CarMotion& car, std::size_t i) const {
-        const Vec3 from_chassis = car.corners[i].carrier.pose.p() - car.chassis.pose.p();
-        return ~car.chassis.pose.z() * from_chassis - parts_.description.corners[i].wheel.center[2];
+        const RoadWheel& wheel = parts_.wheels[i];
+        const MovingBody& hub = car.bodies[wheel.hub];
+        return ~hub.pose.z() * (car.wheels[i].center - hub.pose.p()) -
+               parts_.bodies[wheel.hub].station(wheel.description.wheel.center)[2];
     }
 
-    // A force up along vehicle z on the wheel center, with its reaction on the chassis.
+    // A force up along the hub's z on the wheel center, with its reaction on the hub.
     void lift(std::size_t i, double force, CarMotion& car) const {
-        MovingBody& carrier = car.corners[i].carrier;
-        const Vec3 up = force * car.chassis.pose.z();
-        carrier.push(carrier.pose.p(), up);
-        car.chassis.push(carrier.pose.p(), -up);
+        MovingBody& hub = car.bodies[parts_.wheels[i].hub];
+        const Vec3 up = force * hub.pose.z();
+        car.bodies[parts_.wheels[i].carrier].push(car.wheels[i].center, up);
+        hub.push(car.wheels[i].center, -up);
     }
 
     void add_stops(std::size_t i, CarMotion& car) const {
-        const CornerDescription& corner = parts_.description.corners[i];
+        const ComposedWheelDescription& wheel = parts_.wheels[i].description;
         const double z = travel(car, i);
-        lift(i, stop_force(corner.rebound, -z) - stop_force(corner.bump, z), car);
+        lift(i, stop_force(wheel.rebound, -z) - stop_force(wheel.bump, z), car);
     }
 
-    void add_road(const State& state, std::size_t i, CornerMotion& corner) const {
-        const int z = 3 * static_cast<int>(i);
+    void add_road(const State& state, std::size_t i, CarMotion& car) const {
         const Vector& deflection = subsystem_.getZ(state);
-        const Deflection rate = add_tire(parts_, i, {deflection[z], deflection[z + 1]}, corner);
         Vector& z_rate = subsystem_.updZDot(state);
-        z_rate[z] = rate.u;
-        z_rate[z + 1] = rate.v;
+        for (int k = 0; k < parts_.wheels[i].tires(); ++k) {
+            const int z = parts_.wheels[i].first_z + 2 * k;
+            const Deflection rate = add_tire(parts_, i, k, {deflection[z], deflection[z + 1]}, car);
+            z_rate[z] = rate.u;
+            z_rate[z + 1] = rate.v;
+        }
     }
 
     void add_drive_and_brake(const State& state, std::size_t i, CarMotion& car, Vector& mobility_forces) const {
-        const CornerDescription& corner = parts_.description.corners[i];
-        CornerMotion& motion = car.corners[i];
-        const Vec3 drive = corner.drive_share * parts_.inputs.drive_torque * motion.spin_axis;
-        motion.wheel.twist(drive);
-        car.chassis.twist(-drive);
+        const RoadWheel& wheel = parts_.wheels[i];
+        const WheelMotion& motion = car.wheels[i];
+        const Vec3 drive = wheel.description.drive_share * parts_.inputs.drive_torque * motion.spin_axis;
+        car.bodies[wheel.wheel].twist(drive);
+        car.bodies[wheel.description.live_axle ? wheel.carrier : wheel.hub].twist(-drive);
 
-        const BrakeDescription& brake = corner.brake;
+        const BrakeDescription& brake = wheel.description.brake;
         const double limit = parts_.inputs.brake * brake.max_torque;
         const double windup_limit = brake.windup_stiffness > 0 ? limit / brake.windup_stiffness : 0;  // 0: no brake
-        const int z = 3 * static_cast<int>(i) + 2;
-        const double windup = subsystem_.getZ(state)[z];
+        const double windup = subsystem_.getZ(state)[wheel.windup_z()];
         const double excess = windup - std::clamp(windup, -windup_limit, windup_limit);
         const double slowest = windup_return * windup_limit;
         const double turned = std::clamp(motion.spin, -slowest - unwinding * std::max(windup, 0.0),
                                          slowest + unwinding * std::max(-windup, 0.0));
         const double windup_rate = turned - windup_return * excess;
-        subsystem_.updZDot(state)[z] = windup_rate;
+        subsystem_.updZDot(state)[wheel.windup_z()] = windup_rate;
         const double torque = brake.windup_stiffness * windup + brake.windup_damping * windup_rate;
-        parts_.corners[i].wheel.applyOneMobilityForce(state, 0, -std::clamp(torque, -limit, limit), mobility_forces);
+        parts_.bodies[wheel.wheel].body.applyOneMobilityForce(state, 0, -std::clamp(torque, -limit, limit),
+                                                              mobility_forces);
     }
 
     void add_drag(MovingBody& chassis) const {
@@ -185,38 +173,6 @@ private:
 };
 
 }  // namespace
-
-MovingBody::MovingBody(const MobilizedBody& body, const State& state)
-    : pose(body.getBodyTransform(state)), velocity(body.getBodyVelocity(state)), index_(body.getMobilizedBodyIndex()) {}
-
-Vec3 MovingBody::velocity_at(const Vec3& point) const {
-    return velocity[1] + velocity[0] % (point - pose.p());
-}
-
-void MovingBody::push(const Vec3& point, const Vec3& force) {
-    load_ += SpatialVec((point - pose.p()) % force, force);
-}
-
-CarMotion::CarMotion(const Parts& parts, const State& state) : chassis(parts.chassis, state) {
-    corners.reserve(parts.corners.size());
-    for (std::size_t i = 0; i < parts.corners.size(); ++i) {
-        const auto& [carrier, wheel, unused] = parts.corners[i];
-        const MovingBody moving_carrier(carrier, state);
-        const UnitVec3 at_design(to_vec3(parts.description.corners[i].wheel.spin_axis));
-        corners.push_back({moving_carrier, MovingBody(wheel, state), moving_carrier.pose.R() * Vec3(at_design),
-                           wheel.getOneU(state, 0)});
-    }
-}
-
-Line line_between(const Parts& parts, const CarMotion& car, std::size_t corner, const Point& on_carrier,
-                  const Point& on_chassis) {
-    const MovingBody& carrier = car.corners[corner].carrier;
-    const Vec3 start = carrier.pose * parts.station(corner, on_carrier);
-    const Vec3 end = car.chassis.pose * to_vec3(on_chassis);
-    const double length = (end - start).norm();
-    const UnitVec3 direction((end - start) / length, true);
-    return {start, end, direction, length, ~direction * (car.chassis.velocity_at(end) - carrier.velocity_at(start))};
-}
 
 SimTK::Force::Custom::Implementation* make_forces(const Parts& parts, const SimTK::GeneralForceSubsystem& subsystem) {
     return new CarForces(parts, subsystem);

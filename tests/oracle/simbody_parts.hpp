@@ -1,7 +1,8 @@
 // What the pieces of the Simbody car share: its bodies, the frames its points are given in, and how to push on them.
 //
-// Every carrier's body frame sits at the wheel center with the vehicle's axes at design, so a point of the description
-// becomes a station by one subtraction; the chassis frame is the vehicle frame itself.
+// Every body frame has the vehicle's axes at design and sits at some point of the design position, so a point of the
+// description becomes a station by one subtraction. Corners and composed suspensions differ in what holds their wheels
+// and in their state; to the forces there are only wheels, each with its carrier and its hub, and lines between bodies.
 #pragma once
 
 #include "tests/oracle/simbody_car.hpp"
@@ -15,6 +16,8 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace hamilcar::oracle {
@@ -25,10 +28,47 @@ inline SimTK::Vec3 to_vec3(const std::array<double, 3>& a) {
     return {a[0], a[1], a[2]};
 }
 
+// A body that forces may act on, with the point that its frame sits at.
+struct Placed {
+    SimTK::MobilizedBody body;
+    SimTK::Vec3 origin{0};
+
+    SimTK::Vec3 station(const Point& point) const { return to_vec3(point) - origin; }
+};
+
+struct RoadWheel {
+    ComposedWheelDescription description;
+    std::size_t hub, carrier, wheel;  // among Parts::bodies; the wheel turns about its own z, the spin axis
+    int first_z;                      // of its z-variables: u, v of each tire, then the brake wind-up
+
+    int tires() const { return description.dual_spacing > 0 ? 2 : 1; }
+    int windup_z() const { return first_z + 2 * tires(); }
+};
+
+// A spring and a damper on one line: between two stations, or along a coordinate.
+struct AxialElement {
+    std::size_t part, base;  // among Parts::bodies
+    SimTK::Vec3 on_part, on_base;
+    std::optional<SimTK::MobilizedBody> coordinate;
+    SpringDescription spring;
+    DamperDescription damper;
+    double design_length = 0;
+};
+
+struct TravelBar {
+    std::size_t left, right;  // among Parts::wheels
+    double rate;
+};
+
 struct CornerParts {
     SimTK::MobilizedBody carrier;
-    SimTK::MobilizedBody wheel;       // turns about its own z, the spin axis
     SimTK::MobilizedBody piston_rod;  // of a spindle on its strut
+};
+
+// A composed suspension, or a hitch: the bodies whose single mobility is a coordinate of the description.
+struct TreeParts {
+    std::vector<SimTK::MobilizedBody> coordinates;
+    std::size_t first_wheel = 0;  // among Parts::wheels
 };
 
 struct Parts {
@@ -37,15 +77,48 @@ struct Parts {
     SpindleModel spindle_model;
     Inputs inputs;
     SimTK::MobilizedBody chassis;
+    std::vector<Placed> bodies;     // every body that forces act on; first the units: chassis, trailers
+    std::vector<RoadWheel> wheels;  // of the corners, then of the composed suspensions
+    std::vector<AxialElement> axial;
+    std::vector<TravelBar> bars;
     std::vector<CornerParts> corners;
+    std::vector<TreeParts> composed, hitches;
+    int z_count = 0;
 
-    SimTK::Vec3 station(std::size_t corner, const Point& point) const {
-        return to_vec3(point) - to_vec3(description.corners[corner].wheel.center);
+    // Adds a body at the point it was placed at.
+    std::size_t place(const SimTK::MobilizedBody& body, const SimTK::Vec3& origin) {
+        bodies.push_back({body, origin});
+        return bodies.size() - 1;
     }
 };
 
 // Adds every body and constraint to the matter that `ground` belongs to.
 void add_bodies(Parts&, SimTK::MobilizedBody& ground);
+
+// The composed suspensions, on units that are there; with their wheels, springs and dampers.
+void add_composed(Parts&);
+
+// A wheel of that mass, and its z-variables, on a carrier that is there.
+void add_wheel(Parts&, const ComposedWheelDescription&, std::size_t hub, std::size_t carrier, double mass);
+
+// One coordinate as a mobilizer of its own: the child's frame sits at `station` of the parent at design and slides
+// along the axis or turns about it.
+SimTK::MobilizedBody add_coordinate(SimTK::MobilizedBody parent, const SimTK::Vec3& station, bool slides,
+                                    const SimTK::UnitVec3& axis, const SimTK::Body& body);
+
+// A massless slider at `station` of `base`, displaced by `drive` times the rack.
+SimTK::MobilizedBody add_rack(const Parts&, SimTK::MobilizedBody base, const SimTK::Vec3& station,
+                              const SimTK::Vec3& drive);
+
+// Of one body about a point of the design position.
+SimTK::MassProperties mass_about(const BodyDescription&, const SimTK::Vec3& origin);
+
+// A wheel takes its transverse inertia, and a share of the mass, from the bodies that are described with it.
+SimTK::MassProperties wheel_mass(const WheelDescription&, double mass);
+double wheel_mass_of(double described_mass, std::size_t wheels);
+// What the wheels leave of the bodies; throws std::invalid_argument if that is not a body.
+SimTK::MassProperties carrier_mass(const std::string& name, const std::vector<BodyDescription>& bodies,
+                                   const std::vector<WheelDescription>& wheels, const SimTK::Vec3& origin);
 
 // A MacPherson corner as points and lengths in design coordinates, spindle points included.
 struct Linkage {
@@ -74,6 +147,16 @@ SimTK::Transform spindle_pose(const Linkage&, double strut_length, double rack);
 // Relative to the chassis, in its axes: angular velocity and velocity of the wheel center.
 SimTK::SpatialVec spindle_twist(const Linkage&, const SimTK::Transform& pose, double strut_rate, const Inputs&);
 
+// Coordinates, speeds and z-variables in and out.
+void set_corner(const Parts&, std::size_t corner, const Corner&, SimTK::State&, SimTK::Vector& z);
+Corner corner_of(const Parts&, std::size_t corner, const SimTK::State&, const SimTK::Vector& z);
+void set_composed(const Parts&, std::size_t spoke, const TreeState&, SimTK::State&, SimTK::Vector& z);
+TreeState composed_of(const Parts&, std::size_t spoke, const SimTK::State&, const SimTK::Vector& z);
+void set_hitch(const Parts&, std::size_t trailer, const HitchState&, SimTK::State&);
+HitchState hitch_of(const Parts&, std::size_t trailer, const SimTK::State&);
+// Straight, and every linkage at design.
+CarState design_state(const Parts&);
+
 // A body in ground axes, at one instant, and what pushes on it. Simbody is asked for each pose and velocity once per
 // evaluation, as its answers cost more than the arithmetic on them.
 class MovingBody {
@@ -93,40 +176,39 @@ private:
     SimTK::SpatialVec load_{SimTK::Vec3(0), SimTK::Vec3(0)};
 };
 
-struct CornerMotion {
-    MovingBody carrier, wheel;
-    SimTK::Vec3 spin_axis;
+struct WheelMotion {
+    SimTK::Vec3 center, spin_axis;
     double spin;  // relative to the carrier
 };
 
 struct CarMotion {
     CarMotion(const Parts&, const SimTK::State&);
 
-    MovingBody chassis;
-    std::vector<CornerMotion> corners;
+    std::vector<MovingBody> bodies;   // as in Parts
+    std::vector<WheelMotion> wheels;  // likewise
 };
 
-// A point of the carrier and one of the chassis with the distance between them; all vectors in ground axes.
+// Two stations of two bodies with the distance between them; all vectors in ground axes.
 struct Line {
-    SimTK::Vec3 on_carrier, on_chassis;
-    SimTK::UnitVec3 direction;  // from carrier to chassis
+    SimTK::Vec3 on_part, on_base;
+    SimTK::UnitVec3 direction;  // from part to base
     double length, rate;
 };
 
-Line line_between(const Parts&, const CarMotion&, std::size_t corner, const Point& on_carrier, const Point& on_chassis);
+Line line_between(const AxialElement&, const CarMotion&);
 
 // Contact deflections or their rates.
 struct Deflection {
     double u = 0, v = 0;
 };
 
-// Loads the wheel with everything the road does to it, and returns the rates of the deflections.
-Deflection add_tire(const Parts&, std::size_t corner, const Deflection&, CornerMotion&);
+// Loads the wheel with everything the road does to one of its tires, and returns the rates of the deflections.
+Deflection add_tire(const Parts&, std::size_t wheel, int tire, const Deflection&, CarMotion&);
 
-double tire_energy(const Parts&, std::size_t corner, const CornerMotion&);
+double tire_energy(const Parts&, std::size_t wheel, int tire, const CarMotion&);
 
-// Everything of docs/models/forces.md but gravity, which Simbody has itself. The contact deflections and the brake
-// wind-up are three z-variables per corner in the order u, v, b. The force subsystem takes ownership.
+// Everything of docs/models/forces.md but gravity, which Simbody has itself, and the hull. The force subsystem takes
+// ownership.
 SimTK::Force::Custom::Implementation* make_forces(const Parts&, const SimTK::GeneralForceSubsystem&);
 
 }  // namespace hamilcar::oracle

@@ -21,20 +21,22 @@ struct Contact {
     double lever;  // r, of a longitudinal force about the spin axis
 };
 
-Contact find_contact(const Parts& parts, std::size_t i, const CornerMotion& corner) {
-    const double radius = std::visit([](const auto& tire) { return tire.radius; }, parts.description.corners[i].tire);
-    const Vec3 center = corner.carrier.pose.p();
+Contact find_contact(const Parts& parts, std::size_t i, int tire, const CarMotion& car) {
+    const ComposedWheelDescription& wheel = parts.wheels[i].description;
+    const double radius = std::visit([](const auto& description) { return description.radius; }, wheel.tire);
+    const Vec3& axis = car.wheels[i].spin_axis;
+    const Vec3 center = car.wheels[i].center + (tire == 0 ? 0.5 : -0.5) * wheel.dual_spacing * axis;
     Contact result;
     result.normal = Vec3(UnitVec3(-parts.road.grade, -parts.road.bank, 1));
-    const double s = ~result.normal * corner.spin_axis;
+    const double s = ~result.normal * axis;
     const double c = std::sqrt(std::max(1 - s * s, 1e-6));
-    const Vec3 radial = (result.normal - s * corner.spin_axis) / c;
+    const Vec3 radial = (result.normal - s * axis) / c;
     result.depth = radius * c - ~result.normal * center;
     result.lowest = center - radius * radial;
     result.point = result.lowest + result.depth * result.normal;
-    result.longitudinal = Vec3(UnitVec3(corner.spin_axis % result.normal));
+    result.longitudinal = Vec3(UnitVec3(axis % result.normal));
     result.lateral = result.normal % result.longitudinal;
-    result.lever = -(~corner.spin_axis * ((result.point - center) % result.longitudinal));
+    result.lever = -(~axis * ((result.point - center) % result.longitudinal));
     return result;
 }
 
@@ -84,33 +86,36 @@ Tangential tangential(const LinearTireDescription& tire, double road_friction, d
 }  // namespace
 
 // Normal and lateral force have no moment about the spin axis, so all of the load may go to the wheel's body.
-Deflection add_tire(const Parts& parts, std::size_t i, const Deflection& deflection, CornerMotion& corner) {
-    const TireDescription& description = parts.description.corners[i].tire;
-    const Contact at = find_contact(parts, i, corner);
-    const double load = vertical_load(description, corner.carrier, at);
-    corner.wheel.push(at.point, load * at.normal);
+Deflection add_tire(const Parts& parts, std::size_t i, int which, const Deflection& deflection, CarMotion& car) {
+    const TireDescription& description = parts.wheels[i].description.tire;
+    const Contact at = find_contact(parts, i, which, car);
+    const WheelMotion& motion = car.wheels[i];
+    const MovingBody& carrier = car.bodies[parts.wheels[i].carrier];
+    MovingBody& wheel = car.bodies[parts.wheels[i].wheel];
+    const double load = vertical_load(description, carrier, at);
+    wheel.push(at.point, load * at.normal);
     const auto* tire = std::get_if<LinearTireDescription>(&description);
     if (!tire) return {};
 
-    const Vec3 velocity = corner.carrier.velocity_at(at.point);
-    const double carrier_spin = ~corner.spin_axis * corner.carrier.velocity[0];
-    const double spin = carrier_spin + corner.spin;  // Omega
+    const Vec3 velocity = carrier.velocity_at(at.point);
+    const double carrier_spin = ~motion.spin_axis * carrier.velocity[0];
+    const double spin = carrier_spin + motion.spin;  // Omega
     Slip slip;
     slip.travel = ~at.longitudinal * velocity;
     slip.longitudinal = slip.travel + at.lever * carrier_spin - tire->rolling_radius * spin;
     slip.lateral = ~at.lateral * velocity;
     const Tangential force = tangential(*tire, parts.road.friction, load, slip, deflection);
 
-    corner.wheel.push(at.point, force.longitudinal * at.longitudinal + force.lateral * at.lateral);
+    wheel.push(at.point, force.longitudinal * at.longitudinal + force.lateral * at.lateral);
     const double transfer = -(tire->rolling_radius - at.lever) * force.longitudinal;
     const double rolling = -tire->rolling_resistance * load * tire->rolling_radius * spin / std::hypot(spin, 1.0);
-    corner.wheel.twist((transfer + rolling) * corner.spin_axis);
+    wheel.twist((transfer + rolling) * motion.spin_axis);
     return force.rate;
 }
 
-double tire_energy(const Parts& parts, std::size_t i, const CornerMotion& corner) {
-    const double depth = find_contact(parts, i, corner).depth;
-    const TireDescription& description = parts.description.corners[i].tire;
+double tire_energy(const Parts& parts, std::size_t i, int which, const CarMotion& car) {
+    const double depth = find_contact(parts, i, which, car).depth;
+    const TireDescription& description = parts.wheels[i].description.tire;
     if (std::holds_alternative<LinearTireDescription>(description) && depth <= 0) return 0;
     return std::visit([&](const auto& tire) { return tire.vertical_stiffness * depth * depth / 2; }, description);
 }

@@ -1,0 +1,160 @@
+// Composed suspensions in Simbody: every coordinate of the tree is a pin or a slider of its own, with massless bodies
+// in between, so that its value is the description's; every cut joint is one or two of Simbody's constraints.
+
+#include "tests/oracle/simbody_parts.hpp"
+
+#include <stdexcept>
+
+namespace hamilcar::oracle {
+
+using SimTK::Body;
+using SimTK::MobilizedBody;
+using SimTK::UnitVec3;
+using SimTK::Vec3;
+
+namespace {
+
+struct Coordinate {
+    bool slides;
+    UnitVec3 axis;
+};
+
+std::vector<Coordinate> coordinates_of(const TreeJointDescription& joint) {
+    const std::vector<Coordinate> rotations{{false, SimTK::ZAxis}, {false, SimTK::XAxis}, {false, SimTK::YAxis}};
+    switch (joint.kind) {
+        case TreeJoint::revolute: return {{false, UnitVec3(to_vec3(joint.axis))}};
+        case TreeJoint::prismatic: return {{true, UnitVec3(to_vec3(joint.axis))}};
+        case TreeJoint::universal:
+            return {{false, UnitVec3(to_vec3(joint.axis))}, {false, UnitVec3(to_vec3(joint.second_axis))}};
+        case TreeJoint::spherical: return rotations;
+        case TreeJoint::free: break;
+    }
+    std::vector<Coordinate> all{{true, SimTK::XAxis}, {true, SimTK::YAxis}, {true, SimTK::ZAxis}};
+    all.insert(all.end(), rotations.begin(), rotations.end());
+    return all;
+}
+
+// What the description hangs on each part, and the part as a body.
+class Spoke {
+public:
+    Spoke(Parts& parts, const ComposedSpokeDescription& description) : parts_(parts), description_(description) {
+        bodies_.push_back(description.unit);  // units are the first bodies of all
+        const auto& joints = description.linkage.joints;
+        // From the tips inward: a part may go without mass if it carries one that has mass.
+        carries_.assign(joints.size() + 1, false);
+        for (std::size_t part = joints.size(); part > 0; --part) {
+            carries_[joints[part - 1].parent] = carries_[joints[part - 1].parent] || carries_[part] || has_body(part);
+        }
+        tree_.first_wheel = parts.wheels.size();
+        for (std::size_t i = 0; i < joints.size(); ++i) add_part(i + 1, joints[i]);
+        for (const CutJointDescription& cut : description.linkage.cuts) add_cut(cut);
+        for (const ComposedWheelDescription& wheel : description.wheels) {
+            const std::size_t carrier = bodies_.at(wheel.part);
+            double mass = 0;
+            for (const BodyDescription& body : bodies_on(wheel.part)) mass += body.mass;
+            add_wheel(parts, wheel, description.unit, carrier, wheel_mass_of(mass, wheels_on(wheel.part).size()));
+        }
+        for (const auto& spring : description.springs) add_element(spring.line, spring.spring, {});
+        for (const auto& damper : description.dampers) add_element(damper.line, {}, damper.damper);
+        parts.composed.push_back(tree_);
+    }
+
+private:
+    std::vector<BodyDescription> bodies_on(std::size_t part) const {
+        std::vector<BodyDescription> found;
+        for (const ComposedBodyDescription& body : description_.bodies) {
+            if (body.part == part) found.push_back(body.body);
+        }
+        return found;
+    }
+    std::vector<WheelDescription> wheels_on(std::size_t part) const {
+        std::vector<WheelDescription> found;
+        for (const ComposedWheelDescription& wheel : description_.wheels) {
+            if (wheel.part == part) found.push_back(wheel.wheel);
+        }
+        return found;
+    }
+    bool has_body(std::size_t part) const { return !bodies_on(part).empty(); }
+
+    Body body_of(std::size_t part, const TreeJointDescription& joint) const {
+        const std::vector<WheelDescription> wheels = wheels_on(part);
+        const std::string name = description_.name + ": '" + joint.part + "'";
+        if (has_body(part) || !wheels.empty())
+            return Body::Rigid(carrier_mass(name, bodies_on(part), wheels, to_vec3(joint.point)));
+        if (!carries_[part])
+            throw std::invalid_argument(name + " has no mass and carries none, which Simbody cannot move");
+        return Body::Massless();
+    }
+
+    void add_part(std::size_t part, const TreeJointDescription& joint) {
+        const Body own = body_of(part, joint);
+        const Placed& parent = parts_.bodies[bodies_.at(joint.parent)];
+        MobilizedBody last = parent.body;
+        Vec3 station = parent.station(joint.point);
+        const std::vector<Coordinate> coordinates = coordinates_of(joint);
+        for (std::size_t k = 0; k < coordinates.size(); ++k) {
+            const bool outermost = k + 1 == coordinates.size();
+            last = add_coordinate(last, station, coordinates[k].slides, coordinates[k].axis,
+                                  outermost ? own : Body(Body::Massless()));
+            tree_.coordinates.push_back(last);
+            station = Vec3(0);
+        }
+        bodies_.push_back(parts_.place(last, to_vec3(joint.point)));
+    }
+
+    void add_cut(const CutJointDescription& cut) {
+        Placed base = parts_.bodies[bodies_.at(cut.base)];
+        Placed part = parts_.bodies[bodies_.at(cut.part)];
+        const Vec3 drive = to_vec3(cut.drive);
+        if (drive.norm() > 0) base = {add_rack(parts_, base.body, base.station(cut.foot), drive), to_vec3(cut.foot)};
+        const Vec3 tip = part.station(cut.tip);
+        const auto rod_from = [&](const Vec3& foot) {
+            const double length = (to_vec3(cut.tip) - base.origin - foot).norm();
+            SimTK::Constraint::Rod(base.body, foot, part.body, tip, cut.length.value_or(length));
+        };
+        const auto plane_through = [&](const Vec3& foot, const UnitVec3& normal) {
+            SimTK::Constraint::PointInPlane(base.body, normal, ~normal * foot, part.body, tip);
+        };
+        const Vec3 foot = base.station(cut.foot);
+        switch (cut.kind) {
+            case CutJoint::distance: return rod_from(foot);
+            case CutJoint::spherical: SimTK::Constraint::Ball(base.body, foot, part.body, tip); return;
+            case CutJoint::plane: return plane_through(foot, UnitVec3(to_vec3(cut.axis)));
+            case CutJoint::line:
+                SimTK::Constraint::PointOnLine(base.body, UnitVec3(to_vec3(cut.axis)), foot, part.body, tip);
+                return;
+            case CutJoint::revolute_spherical: {
+                const UnitVec3 axis(to_vec3(cut.axis));
+                const Vec3 nearest = foot + (~axis * (to_vec3(cut.tip) - to_vec3(cut.foot))) * Vec3(axis);
+                plane_through(nearest, axis);
+                return rod_from(nearest);
+            }
+        }
+    }
+
+    void add_element(const LineDescription& line, const SpringDescription& spring, const DamperDescription& damper) {
+        AxialElement element{bodies_.at(line.part), bodies_.at(line.base), {}, {}, {}, spring, damper};
+        if (line.coordinate) {
+            element.coordinate = tree_.coordinates.at(static_cast<std::size_t>(*line.coordinate));
+        } else {
+            element.on_part = parts_.bodies[element.part].station(line.on_part);
+            element.on_base = parts_.bodies[element.base].station(line.on_base);
+            element.design_length = (to_vec3(line.on_part) - to_vec3(line.on_base)).norm();
+        }
+        parts_.axial.push_back(element);
+    }
+
+    Parts& parts_;
+    const ComposedSpokeDescription& description_;
+    TreeParts tree_;
+    std::vector<std::size_t> bodies_;  // of the parts, among all
+    std::vector<bool> carries_;        // whether anything outward of the part has a mass
+};
+
+}  // namespace
+
+void add_composed(Parts& parts) {
+    for (const ComposedSpokeDescription& spoke : parts.description.composed) Spoke(parts, spoke);
+}
+
+}  // namespace hamilcar::oracle
