@@ -63,6 +63,8 @@ void check_name(const TableReader& table, std::vector<std::string>& taken) {
 // there are places, they are composed of parts like all others.
 void read_corners(const TableReader& axle, const NamedTires& tires, std::size_t unit, VehicleDescription& vehicle) {
     const CornerDescription left = read_left_corner(axle, tires);
+    const auto* strut = std::get_if<MacPhersonDescription>(&left.suspension);
+    axle.table("hardpoints").expect(unit == 0 || !strut || !strut->steered, "steered", "false on a trailer");
     CornerDescription right = mirrored(left);
     right.name = axle.text("name") + "_right";
     const auto bar = axle.optional_table("anti_roll_bar");

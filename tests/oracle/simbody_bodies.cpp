@@ -105,11 +105,11 @@ void add_corner(Parts& parts, const CornerDescription& corner) {
     ComposedWheelDescription wheel;
     wheel.name = corner.name, wheel.wheel = corner.wheel, wheel.bump = corner.bump, wheel.rebound = corner.rebound;
     wheel.tire = corner.tire, wheel.brake = corner.brake, wheel.drive_share = corner.drive_share;
-    add_wheel(parts, wheel, 0, carrier, wheel_mass_of(corner.carrier.mass, 1));
+    add_wheel(parts, wheel, 0, carrier, 0, wheel_mass_of(corner.carrier.mass, 1));
     add_axial_elements(parts, corner, carrier);
 }
 
-// A ball turns about z, x', y'', a fifth wheel about z, y'; the trailer's frame sits at the hitch.
+// A ball turns about z, x', y'', a fifth wheel about y, z'; the trailer's frame sits at the hitch.
 void add_trailer(Parts& parts, const TrailerDescription& trailer) {
     const Vec3 hitch = to_vec3(trailer.hitch_point);
     const Placed& tow = parts.bodies.at(trailer.tow);
@@ -119,11 +119,19 @@ void add_trailer(Parts& parts, const TrailerDescription& trailer) {
         bodies.coordinates.push_back(add_coordinate(on, station, false, axis, body));
         return bodies.coordinates.back();
     };
-    MobilizedBody last = turn(tow.body, tow.station(trailer.hitch_point), SimTK::ZAxis, Body::Massless());
-    if (trailer.hitch == Hitch::ball) last = turn(last, Vec3(0), SimTK::XAxis, Body::Massless());
-    last = turn(last, Vec3(0), SimTK::YAxis, chassis);
+    const Vec3 station = tow.station(trailer.hitch_point);
+    if (trailer.hitch == Hitch::ball) {
+        turn(tow.body, station, SimTK::ZAxis, Body::Massless());
+        turn(bodies.coordinates.back(), Vec3(0), SimTK::XAxis, Body::Massless());
+        turn(bodies.coordinates.back(), Vec3(0), SimTK::YAxis, chassis);
+        bodies.yaw = 0;
+    } else {
+        turn(tow.body, station, SimTK::YAxis, Body::Massless());
+        turn(bodies.coordinates.back(), Vec3(0), SimTK::ZAxis, chassis);
+        bodies.yaw = 1;
+    }
     parts.hitches.push_back(bodies);
-    parts.place(last, hitch);
+    parts.place(bodies.coordinates.back(), hitch);
 }
 
 }  // namespace
@@ -145,13 +153,14 @@ MobilizedBody add_rack(const Parts& parts, MobilizedBody base, const Vec3& stati
 }
 
 void add_wheel(Parts& parts, const ComposedWheelDescription& description, std::size_t hub, std::size_t carrier,
-               double mass) {
+               std::size_t drive_base, double mass) {
     const WheelDescription& wheel = description.wheel;
     const Rotation spin_frame(UnitVec3(to_vec3(wheel.spin_axis)), SimTK::ZAxis);
     MobilizedBody& on = parts.bodies[carrier].body;
     const Transform place(spin_frame, parts.bodies[carrier].station(wheel.center));
     const MobilizedBody body = MobilizedBody::Pin(on, place, Body::Rigid(wheel_mass(wheel, mass)), Transform());
-    parts.wheels.push_back({description, hub, carrier, parts.place(body, to_vec3(wheel.center)), parts.z_count});
+    parts.wheels.push_back(
+        {description, hub, carrier, parts.place(body, to_vec3(wheel.center)), drive_base, parts.z_count});
     parts.z_count = parts.wheels.back().windup_z() + 1;
 }
 

@@ -52,7 +52,8 @@ public:
             const std::size_t carrier = bodies_.at(wheel.part);
             double mass = 0;
             for (const BodyDescription& body : bodies_on(wheel.part)) mass += body.mass;
-            add_wheel(parts, wheel, description.unit, carrier, wheel_mass_of(mass, wheels_on(wheel.part).size()));
+            add_wheel(parts, wheel, description.unit, carrier, bodies_.at(wheel.drive_reaction),
+                      wheel_mass_of(mass, wheels_on(wheel.part).size()));
         }
         for (const auto& spring : description.springs) add_element(spring.line, spring.spring, {});
         for (const auto& damper : description.dampers) add_element(damper.line, {}, damper.damper);

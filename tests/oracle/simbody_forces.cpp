@@ -57,7 +57,7 @@ public:
             lift(bar.right, force, car);
         }
         for (std::size_t i = 0; i < parts_.hitches.size(); ++i) {
-            const MobilizedBody& yaw = parts_.hitches[i].coordinates.front();
+            const MobilizedBody& yaw = parts_.hitches[i].coordinates[parts_.hitches[i].yaw];
             const double damping = parts_.description.trailers[i].yaw_damping;
             yaw.applyOneMobilityForce(state, 0, -damping * yaw.getOneU(state, 0), mobility_forces);
         }
@@ -144,7 +144,7 @@ private:
         const WheelMotion& motion = car.wheels[i];
         const Vec3 drive = wheel.description.drive_share * parts_.inputs.drive_torque * motion.spin_axis;
         car.bodies[wheel.wheel].twist(drive);
-        car.bodies[wheel.description.live_axle ? wheel.carrier : wheel.hub].twist(-drive);
+        car.bodies[wheel.drive_base].twist(-drive);
 
         const BrakeDescription& brake = wheel.description.brake;
         const double limit = parts_.inputs.brake * brake.max_torque;

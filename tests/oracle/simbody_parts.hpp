@@ -39,6 +39,7 @@ struct Placed {
 struct RoadWheel {
     ComposedWheelDescription description;
     std::size_t hub, carrier, wheel;  // among Parts::bodies; the wheel turns about its own z, the spin axis
+    std::size_t drive_base;           // the body that the drive torque reacts on
     int first_z;                      // of its z-variables: u, v of each tire, then the brake wind-up
 
     int tires() const { return description.dual_spacing > 0 ? 2 : 1; }
@@ -69,6 +70,7 @@ struct CornerParts {
 struct TreeParts {
     std::vector<SimTK::MobilizedBody> coordinates;
     std::size_t first_wheel = 0;  // among Parts::wheels
+    std::size_t yaw = 0;          // of a hitch: which coordinate
 };
 
 struct Parts {
@@ -99,7 +101,8 @@ void add_bodies(Parts&, SimTK::MobilizedBody& ground);
 void add_composed(Parts&);
 
 // A wheel of that mass, and its z-variables, on a carrier that is there.
-void add_wheel(Parts&, const ComposedWheelDescription&, std::size_t hub, std::size_t carrier, double mass);
+void add_wheel(Parts&, const ComposedWheelDescription&, std::size_t hub, std::size_t carrier, std::size_t drive_base,
+               double mass);
 
 // One coordinate as a mobilizer of its own: the child's frame sits at `station` of the parent at design and slides
 // along the axis or turns about it.

@@ -92,7 +92,7 @@ void add_wheels(const ComposedSample& sample, const Place& place, ComposedSpokeD
         wheel.dual_spacing = sample.name == "leaf_axle" ? 0.2 : 0;
         wheel.bump = {0.02, 60e3, 1e6}, wheel.rebound = {0.02, 80e3, 0};
         wheel.tire = corner.tire, wheel.brake = corner.brake;
-        wheel.drive_share = 0.25, wheel.live_axle = solid;
+        wheel.drive_share = 0.25, wheel.drive_reaction = solid ? 1 : 0;
         const LineDescription line{
             at.part, 0, shifted(center, 0.01, 0.1 * inward, 0.1), shifted(center, 0.05, 0.15 * inward, 0.5), {}};
         spoke.springs.push_back({spoke.name, line, {25e3, 2900}});
