@@ -9,8 +9,8 @@
 namespace hamilcar::cli {
 
 struct Options {
-    std::string file;                            // scenario or vehicle
-    std::string output;                          // -o: folder
+    std::string file;                            // scenario or vehicle; schema: of which of them
+    std::string output;                          // -o: folder; check, schema: file
     bool json = false;                           // one JSON object on standard output
     double seconds = 20;                         // bench: about how long to measure
     double travel = 80;                          // kinematics: each way [mm]
@@ -24,6 +24,7 @@ io::ExitCode bench(const Options& options);
 io::ExitCode equilibrium(const Options& options);
 io::ExitCode kinematics(const Options& options);
 io::ExitCode modes(const Options& options);
+io::ExitCode schema(const Options& options);
 
 // A file that comes with hamilcar: here, in the source or where it is installed; throws io::Error(input_output).
 std::string shipped_file(const std::string& name);

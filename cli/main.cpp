@@ -17,7 +17,7 @@ namespace cli = hamilcar::cli;
 // CLI11 only says that a word is missing; the mistyped command and the nearest one help more.
 std::string mistyped_command(int argc, char** argv) {
     static constexpr std::string_view commands[] = {"run",         "paper",      "check", "bench",
-                                                    "equilibrium", "kinematics", "modes"};
+                                                    "equilibrium", "kinematics", "modes", "schema"};
     if (argc < 2 || argv[1][0] == '-') return {};
     for (const std::string_view command : commands) {
         if (command == argv[1]) return {};
@@ -79,6 +79,11 @@ int run_command(int argc, char** argv) {
     for (auto* command : {kinematics, modes}) {
         command->add_option("-o,--output", options.output, "folder for tables and pictures");
     }
+    auto* schema = app.add_subcommand("schema", "print the JSON Schema of vehicle or scenario files, for editors");
+    schema->add_option("kind", options.file, "vehicle or scenario")
+        ->required()
+        ->check(CLI::IsMember({"vehicle", "scenario"}));
+    schema->add_option("-o,--output", options.output, "file for the schema, instead of standard output");
     for (auto* command : {run, paper, check, bench, equilibrium, kinematics, modes}) add_common(*command, options);
     try {
         app.parse(argc, argv);
@@ -88,6 +93,7 @@ int run_command(int argc, char** argv) {
     cli::watch_interrupt();
     if (run->parsed()) return static_cast<int>(cli::run(options));
     if (paper->parsed()) return static_cast<int>(cli::paper(options));
+    if (schema->parsed()) return static_cast<int>(cli::schema(options));
     if (bench->parsed()) return static_cast<int>(cli::bench(options));
     if (equilibrium->parsed()) return static_cast<int>(cli::equilibrium(options));
     if (kinematics->parsed()) return static_cast<int>(cli::kinematics(options));

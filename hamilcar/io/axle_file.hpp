@@ -5,7 +5,10 @@
 
 namespace hamilcar::io {
 
-// The left corner of an [[axle]], named "<axle>_left"; it has half of the axle's share of the drive torque.
-CornerDescription read_left_corner(const TableReader& axle, const NamedTires& tires);
+bool has_own_program(std::string_view suspension);
+
+// The left corner of an [[axle]] of such a suspension, named "<axle>_left"; it has half of the axle's share of the drive
+// torque.
+CornerDescription read_left_corner(const TableReader& axle, std::string_view suspension, const NamedTires& tires);
 
 }  // namespace hamilcar::io

@@ -23,9 +23,7 @@ void read_keys(const TableReader& table, const std::vector<HardpointKey>& keys, 
                 table.expect(!on_trailer || !to.flag(name), key.key, "false on a trailer");
                 break;
             case HardpointKind::number: to.numbers[name] = table.number(key.key, positive, key.otherwise[0]); break;
-            case HardpointKind::direction:
-                to.points[name] = table.has(key.key) ? table.direction(key.key) : key.otherwise;
-                break;
+            case HardpointKind::direction: to.points[name] = table.direction(key.key, key.otherwise); break;
             case HardpointKind::point:
                 // `steered` stands before the keys that only a steered axle has
                 if (key.only_steered && !to.flag("steered")) break;
@@ -42,11 +40,13 @@ const std::vector<HardpointKey> rocker_keys{{"pivot_m", HardpointKind::point, "a
 Hardpoints read_hardpoints(const TableReader& axle, const Recipe& recipe, bool on_trailer) {
     Hardpoints points;
     read_keys(axle.table("hardpoints"), recipe.keys, on_trailer, points);
+    note_meanings(axle.table("hardpoints"), recipe.keys, recipe.keyword);
     if (recipe.may_have_rocker && axle.has("rocker")) {
         const TableReader rocker = axle.table("rocker");
         constexpr std::string_view parts[] = {"lower_arm", "carrier"};
         points.rod_on = parts[rocker.one_of("rod_on", parts)];
         read_keys(rocker, rocker_keys, on_trailer, points);
+        note_meanings(rocker, rocker_keys);
     }
     return points;
 }
@@ -153,7 +153,8 @@ void add_elements(const TableReader& axle, const Composition& composition, std::
         to.dampers.push_back({name + "_left", lines.left, damper});
         if (both) to.dampers.push_back({name + "_right", mirrored_line(lines), damper});
     }
-    if (const auto table = axle.optional_table("twist_spring"); table && composition.twist) {
+    if (!composition.twist) return;
+    if (const auto table = axle.optional_table("twist_spring")) {
         LineDescription line;
         line.coordinate = composition.twist;
         to.springs.push_back({name + "_twist", line, {table->number("rate_N_m_per_rad", positive), 0}});
@@ -207,6 +208,10 @@ std::vector<std::string_view> suspension_keywords() {
     return words;
 }
 
+void note_meanings(const TableReader& table, const std::vector<HardpointKey>& keys, std::string_view suspension) {
+    for (const HardpointKey& key : keys) table.note(key.key, key.meaning, suspension);
+}
+
 void read_composed_axle(const TableReader& axle, const NamedTires& tires, std::size_t unit,
                         VehicleDescription& vehicle) {
     const std::vector<std::string_view> words = suspension_keywords();
@@ -217,7 +222,7 @@ void read_composed_axle(const TableReader& axle, const NamedTires& tires, std::s
         const Hardpoints points = read_hardpoints(axle, *recipe, unit > 0);
         left = recipe->compose(points);
         if (!recipe->two_wheels) right = recipe->compose(points.mirrored_side());
-        check_composition(axle, left, read_wheel(axle.table("wheel")));
+        if (!axle.is_recording()) check_composition(axle, left, read_wheel(axle.table("wheel")));
     } else {
         left = read_linkage(axle, read_wheel(axle.table("wheel")));
         if (left.carriers.size() == 1) right = mirrored_composition(left);

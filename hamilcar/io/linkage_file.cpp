@@ -63,6 +63,18 @@ CutJointDescription read_cut(const TableReader& table, const LinkageDescription&
     return cut;
 }
 
+// The wheels have one freedom each, and nothing else moves.
+void choose_independent(const TableReader& axle, const std::vector<CarriedPoint>& wheels, LinkageDescription& linkage) {
+    const int coordinates = linkage.coordinate_count(), equations = linkage.equation_count();
+    axle.expect(coordinates <= max_coordinates, "joint", "at most " + std::to_string(max_coordinates) + " coordinates");
+    axle.expect(equations <= max_equations, "joint", "at most " + std::to_string(max_equations) + " cut equations");
+    const LinkageVerdict verdict = choose_partition(linkage, wheels);
+    axle.expect(verdict.problem.empty(), "joint",
+                "a linkage that moves with its wheels alone (here " + std::to_string(coordinates) +
+                    " coordinates and " + std::to_string(equations) + " cut equations); " + verdict.problem);
+    linkage.independent = verdict.independent;
+}
+
 }  // namespace
 
 Composition read_linkage(const TableReader& axle, const WheelDescription& wheel) {
@@ -86,14 +98,7 @@ Composition read_linkage(const TableReader& axle, const WheelDescription& wheel)
         const std::string& name = out.linkage.joints[i].part;
         if (name != "carrier") out.parts.push_back({name, i + 1, i + 1, i + 1 != carrier && i + 1 != right, false});
     }
-    const int coordinates = out.linkage.coordinate_count(), equations = out.linkage.equation_count();
-    axle.expect(coordinates <= max_coordinates, "joint", "at most " + std::to_string(max_coordinates) + " coordinates");
-    axle.expect(equations <= max_equations, "joint", "at most " + std::to_string(max_equations) + " cut equations");
-    const LinkageVerdict verdict = choose_partition(out.linkage, wheels);
-    axle.expect(verdict.problem.empty(), "joint",
-                "a linkage that moves with its wheels alone (here " + std::to_string(coordinates) +
-                    " coordinates and " + std::to_string(equations) + " cut equations); " + verdict.problem);
-    out.linkage.independent = verdict.independent;
+    if (!axle.is_recording()) choose_independent(axle, wheels, out.linkage);
     return out;
 }
 

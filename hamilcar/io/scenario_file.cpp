@@ -137,7 +137,10 @@ bool is_scenario(const std::string& path) {
 
 ScenarioDescription read_scenario(const std::string& path) {
     Node document = read_toml(path);
-    const TableReader file(document, "");
+    return read_scenario(TableReader(document, ""));
+}
+
+ScenarioDescription read_scenario(const TableReader& file) {
     ScenarioDescription scenario;
     scenario.name = file.text("name");
     scenario.vehicle = file.path_to_file("vehicle");

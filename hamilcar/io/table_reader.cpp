@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "hamilcar/io/key_recorder.hpp"
 #include "hamilcar/io/key_unit.hpp"
 #include "hamilcar/io/spelling.hpp"
 
@@ -30,6 +31,8 @@ std::string item_path(const std::string& list, Node& item, std::size_t index) {
     const auto* label = name ? std::get_if<std::string>(&name->value) : nullptr;
     return label ? list + "[" + *label + "]" : at_index(list, index);
 }
+
+constexpr double nobodys = std::numeric_limits<double>::quiet_NaN();  // a number, where there is no file
 
 std::string describe(const Range& range, std::string_view key) {
     return with_unit("a " + std::string(range.words), key);
@@ -63,12 +66,22 @@ Node& TableReader::require(std::string_view key, const std::string& expectation)
     fail_at(*node_->file, node_->begin, "key '" + full(key) + "' is missing: expected " + expectation);
 }
 
+void TableReader::note(std::string_view key, std::string_view meaning, std::string_view where) const {
+    if (recorder_) recorder_->note(path_, key, meaning, where);
+}
+
+bool TableReader::has(std::string_view key) const {
+    return recorder_ ? recorder_->has(path_, key) : find(key) != nullptr;
+}
+
 bool TableReader::has_list(std::string_view key) const {
+    if (recorder_) return recorder_->has_list(path_, key);
     const Node* node = find(key);
     return node && std::holds_alternative<ListValue>(node->value);
 }
 
 std::size_t TableReader::chosen(Alternatives groups) const {
+    if (recorder_) return recorder_->chosen(path_, groups);
     std::size_t choice = 0;
     const Node* best = nullptr;
     for (std::size_t index = 0; index < groups.size(); ++index) {
@@ -95,14 +108,17 @@ double TableReader::checked(const Node& value, std::string_view key, const std::
 }
 
 double TableReader::number(std::string_view key, const Range& range) const {
+    if (recorder_) return recorder_->number(path_, key, range, {}), nobodys;
     return checked(require(key, describe(range, key)), key, full(key), range);
 }
 
 double TableReader::number(std::string_view key, const Range& range, double otherwise) const {
+    if (recorder_) return recorder_->number(path_, key, range, otherwise), otherwise;
     return has(key) ? number(key, range) : otherwise;
 }
 
 bool TableReader::boolean(std::string_view key, bool otherwise) const {
+    if (recorder_) return recorder_->flag(path_, key, otherwise);
     const Node* node = find(key);
     if (!node) return otherwise;
     if (!std::holds_alternative<bool>(node->value)) reject(*node, full(key), "true or false");
@@ -110,6 +126,7 @@ bool TableReader::boolean(std::string_view key, bool otherwise) const {
 }
 
 std::string TableReader::text(std::string_view key) const {
+    if (recorder_) return recorder_->text(path_, key), std::string(any_name);
     const Node& node = require(key, "a text in quotes");
     const auto* value = std::get_if<std::string>(&node.value);
     if (!value || value->empty()) reject(node, full(key), "a text in quotes");
@@ -118,6 +135,7 @@ std::string TableReader::text(std::string_view key) const {
 
 std::vector<std::string> TableReader::texts(std::string_view key) const {
     std::vector<std::string> result;
+    if (recorder_) return recorder_->texts(path_, key), result;
     if (!has(key)) return result;
     for (const Node& item : list(key, "a list of texts in quotes").items) {
         const auto* value = std::get_if<std::string>(&item.value);
@@ -129,6 +147,7 @@ std::vector<std::string> TableReader::texts(std::string_view key) const {
 
 std::string TableReader::path_to_file(std::string_view key) const {
     const std::filesystem::path written = text(key);
+    if (recorder_) return written;
     return (std::filesystem::path(find(key)->file->path).parent_path() / written).lexically_normal().string();
 }
 
@@ -140,12 +159,21 @@ ListValue& TableReader::list(std::string_view key, const std::string& expectatio
 }
 
 void TableReader::fill(std::string_view key, std::span<double> values) const {
+    if (recorder_) {
+        std::ranges::fill(values, nobodys);
+        return recorder_->numbers(path_, key, any_number, values.size(), {});
+    }
     const std::string expectation = with_unit(std::to_string(values.size()) + " numbers", key);
     const auto& items = list(key, expectation).items;
     if (items.size() != values.size()) reject(*find(key), full(key), expectation);
     for (std::size_t i = 0; i < items.size(); ++i) {
         values[i] = checked(items[i], key, at_index(full(key), i), any_number);
     }
+}
+
+void TableReader::fill_if_there(std::string_view key, std::span<double> values) const {
+    if (recorder_) return recorder_->numbers(path_, key, any_number, values.size(), values);
+    if (has(key)) fill(key, values);
 }
 
 std::array<double, 3> TableReader::direction(std::string_view key) const {
@@ -156,8 +184,14 @@ std::array<double, 3> TableReader::direction(std::string_view key) const {
     return v;
 }
 
+std::array<double, 3> TableReader::direction(std::string_view key, const std::array<double, 3>& otherwise) const {
+    if (recorder_) return array<3>(key, otherwise);
+    return has(key) ? direction(key) : otherwise;
+}
+
 std::vector<double> TableReader::numbers(std::string_view key, const Range& range) const {
     std::vector<double> result;
+    if (recorder_) return recorder_->numbers(path_, key, range, 0, {}), std::vector{nobodys, nobodys};
     for (const Node& item : list(key, with_unit("a list of numbers", key)).items) {
         result.push_back(checked(item, key, at_index(full(key), result.size()), range));
     }
@@ -167,6 +201,7 @@ std::vector<double> TableReader::numbers(std::string_view key, const Range& rang
 
 Samples TableReader::samples(std::string_view argument, std::string_view value, const Range& range) const {
     const std::vector<double> x = numbers(argument, any_number), y = numbers(value, range);
+    if (recorder_) return {x, y};
     const auto& items = std::get<ListValue>(find(argument)->value).items;
     for (std::size_t i = 1; i < x.size(); ++i) {
         if (x[i] > x[i - 1]) continue;
@@ -180,6 +215,7 @@ Samples TableReader::samples(std::string_view argument, std::string_view value, 
 
 std::size_t TableReader::one_of(std::string_view key, std::span<const std::string_view> words,
                                 std::optional<std::size_t> otherwise) const {
+    if (recorder_) return recorder_->one_of(path_, key, words, otherwise);
     if (otherwise && !has(key)) return *otherwise;
     const std::string expectation = (words.size() > 1 ? "one of " : "") + quoted_list(words);
     const Node& node = require(key, expectation);
@@ -194,6 +230,7 @@ std::size_t TableReader::one_of(std::string_view key, std::span<const std::strin
 }
 
 TableReader TableReader::table(std::string_view key) const {
+    if (recorder_) return TableReader(*recorder_, recorder_->table(path_, key));
     Node& node = require(key, "a table");
     if (!std::holds_alternative<TableValue>(node.value)) reject(node, full(key), "a table");
     return {node, full(key)};
@@ -206,6 +243,10 @@ std::optional<TableReader> TableReader::optional_table(std::string_view key) con
 std::vector<TableReader> TableReader::tables(std::string_view key) const {
     const std::string expectation = "at least one [[" + full(key) + "]]";
     std::vector<TableReader> result;
+    if (recorder_) {
+        for (const std::string& place : recorder_->tables(path_, key)) result.emplace_back(*recorder_, place);
+        return result;
+    }
     for (Node& item : list(key, expectation).items) {
         const std::string path = item_path(full(key), item, result.size());
         if (!std::holds_alternative<TableValue>(item.value)) reject(item, path, "a table");
@@ -218,12 +259,13 @@ std::vector<TableReader> TableReader::tables(std::string_view key) const {
 std::vector<std::pair<std::string, TableReader>> TableReader::named_tables(std::string_view key) const {
     const TableReader parent = table(key);
     std::vector<std::pair<std::string, TableReader>> result;
+    if (recorder_) return {{std::string(any_name), parent.table(any_name)}};
     for (const Node& entry : as_table(*parent.node_).entries) result.emplace_back(entry.key, parent.table(entry.key));
     return result;
 }
 
 void TableReader::expect(bool condition, std::string_view key, const std::string& expectation) const {
-    if (condition) return;
+    if (condition || recorder_) return;
     reject(require(key, expectation), full(key), with_unit(expectation, key));
 }
 
@@ -237,6 +279,7 @@ void TableReader::finish_below(Node& entry, const std::string& path) {
 }
 
 void TableReader::finish() const {
+    if (recorder_) return;
     const TableValue& table = as_table(*node_);
     const std::vector<std::string_view> known(table.known.begin(), table.known.end());
     for (Node& entry : as_table(*node_).entries) {

@@ -6,6 +6,9 @@
 // The unit is part of the key (key_unit.hpp); numbers come back in SI, angles in radians. Every key asked for is noted,
 // so `finish` can tell a misspelled key from a known one. A mistake ends the reading with one Error that says
 // "file:line:column: key 'chassis.mass_kg' = -3: expected a positive number [kg]".
+//
+// The same calls describe the format: a reader of a KeyRecorder has no file, it notes what is asked for, and nothing that
+// is read means anything or is a mistake. The schemas for editors are made of these notes (schema.hpp).
 #pragma once
 
 #include <array>
@@ -40,12 +43,20 @@ struct Samples {
 };
 using Alternatives = std::initializer_list<std::initializer_list<std::string_view>>;
 
+class KeyRecorder;
+
 class TableReader {
 public:
     // `path` is the table's name in messages, "axle[front].spring"; empty for a whole file.
     TableReader(Node& table, std::string path) : node_(&table), path_(std::move(path)) {}
+    explicit TableReader(KeyRecorder& recorder, std::string path = "") : recorder_(&recorder), path_(std::move(path)) {}
 
-    bool has(std::string_view key) const { return find(key) != nullptr; }
+    // There is no file: checks of what several values mean together have to be left out.
+    bool is_recording() const { return recorder_ != nullptr; }
+    // What a key means, for the schema; `where` is the suspension, if it means that only there.
+    void note(std::string_view key, std::string_view meaning, std::string_view where = {}) const;
+
+    bool has(std::string_view key) const;
     bool has_list(std::string_view key) const;
     // Which of several groups of keys that state the same thing differently is present; the first if none is. Two in
     // one file are a mistake; a file's own choice overrides the one it inherits.
@@ -67,9 +78,12 @@ public:
     }
     template <std::size_t N>
     std::array<double, N> array(std::string_view key, const std::array<double, N>& otherwise) const {
-        return has(key) ? array<N>(key) : otherwise;
+        std::array<double, N> values = otherwise;
+        fill_if_there(key, values);
+        return values;
     }
     std::array<double, 3> direction(std::string_view key) const;  // unit
+    std::array<double, 3> direction(std::string_view key, const std::array<double, 3>& otherwise) const;
     std::vector<double> numbers(std::string_view key, const Range& range) const;
     // Two lists of equal length, the first strictly increasing.
     Samples samples(std::string_view argument, std::string_view value, const Range& range) const;
@@ -94,12 +108,14 @@ private:
     Node& require(std::string_view key, const std::string& expectation) const;
     ListValue& list(std::string_view key, const std::string& expectation) const;
     void fill(std::string_view key, std::span<double> values) const;
+    void fill_if_there(std::string_view key, std::span<double> values) const;
     double checked(const Node& value, std::string_view key, const std::string& path, const Range& range) const;
     std::string full(std::string_view key) const;
     static void finish_below(Node& entry, const std::string& path);
     [[noreturn]] void reject(const Node& value, const std::string& path, const std::string& expectation) const;
 
-    Node* node_;
+    Node* node_ = nullptr;
+    KeyRecorder* recorder_ = nullptr;  // instead of a file
     std::string path_;
 };
 

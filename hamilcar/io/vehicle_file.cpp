@@ -11,7 +11,6 @@
 #include "hamilcar/io/mirror.hpp"
 #include "hamilcar/io/number_text.hpp"
 #include "hamilcar/suspension/compose_corner.hpp"
-#include "hamilcar/suspension/list.hpp"
 
 namespace hamilcar::io {
 
@@ -61,8 +60,9 @@ void check_name(const TableReader& table, std::vector<std::string>& taken) {
 
 // Both sides of an axle whose suspension has a program of its own. On a trailer, or where a vehicle has more of them than
 // there are places, they are composed of parts like all others.
-void read_corners(const TableReader& axle, const NamedTires& tires, std::size_t unit, VehicleDescription& vehicle) {
-    const CornerDescription left = read_left_corner(axle, tires);
+void read_corners(const TableReader& axle, std::string_view suspension, const NamedTires& tires, std::size_t unit,
+                  VehicleDescription& vehicle) {
+    const CornerDescription left = read_left_corner(axle, suspension, tires);
     const auto* strut = std::get_if<MacPhersonDescription>(&left.suspension);
     axle.table("hardpoints").expect(unit == 0 || !strut || !strut->steered, "steered", "false on a trailer");
     CornerDescription right = mirrored(left);
@@ -82,18 +82,18 @@ void read_corners(const TableReader& axle, const NamedTires& tires, std::size_t 
     }
 }
 
-bool has_own_program(const TableReader& axle) {
+std::string_view suspension_of(const TableReader& axle) {
     const std::vector<std::string_view> words = suspension_keywords();
-    const std::string_view word = words[axle.one_of("suspension", words)];
-    return word == MacPherson<double>::keyword || word == SemiTrailingArm<double>::keyword;
+    return words[axle.one_of("suspension", words)];
 }
 
 void read_axles(const TableReader& owner, const NamedTires& tires, std::size_t unit, std::vector<std::string>& names,
                 VehicleDescription& vehicle) {
     for (const TableReader& axle : owner.tables("axle")) {
         check_name(axle, names);
-        if (has_own_program(axle)) {
-            read_corners(axle, tires, unit, vehicle);
+        const std::string_view suspension = suspension_of(axle);
+        if (has_own_program(suspension)) {
+            read_corners(axle, suspension, tires, unit, vehicle);
         } else {
             read_composed_axle(axle, tires, unit, vehicle);
         }
@@ -135,7 +135,10 @@ double driven_share(const VehicleDescription& vehicle) {
 
 VehicleDescription read_vehicle(const std::string& path) {
     Node document = read_toml(path);
-    const TableReader file(document, "");
+    return read_vehicle(TableReader(document, ""));
+}
+
+VehicleDescription read_vehicle(const TableReader& file) {
     const BodyDescription chassis = read_body(file.table("chassis"));
     VehicleDescription vehicle{.name = file.text("name"),
                                .chassis = chassis,

@@ -340,6 +340,8 @@ TEST_F(Program, HelpsWithTheCommandLine) {
     EXPECT_EQ(mistyped.code, 2);
     EXPECT_THAT(mistyped.err, HasSubstr("did you mean 'run'?"));
     EXPECT_EQ(run("run").code, 2);
+    EXPECT_EQ(run("schema tire").code, 2);
+    EXPECT_EQ(run("schema scenario").out, contents(test::source_path("schemas/scenario.schema.json")));
     EXPECT_THAT(run("--version").out, HasSubstr("hamilcar 0."));
 }
 

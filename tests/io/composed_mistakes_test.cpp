@@ -44,9 +44,7 @@ TEST(ComposedMistakes, Trailers) {
     expect_told("truck_semitrailer", {"NameTwice",
                                       "name = \"trailer_1\"",
                                       "name = \"rear_1\"",
-                                      "\"rear_1\"
-                                      suspension = \"leaf_axle\"
-                                      tire = \"trailer\"",
+                                      "\"rear_1\"\nsuspension = \"leaf_axle\"\ntire = \"truck\"\n\n[trailer",
                                       {"no other axle or trailer has"}});
 }
 
@@ -148,15 +146,16 @@ TEST(OwnLinkage, PartsAndEnds) {
                 "carrier_part = \"carier\"",
                 "\"carier\"",
                 {"did you mean 'carrier'?"}});
-    expect_own({
-        "TakenName", "part = \"arm\"", "part = \"spring\"",
-            "\"spring\"
-            point_m ", {" a name that no other table of an axle has "}});
-            expect_own({"NoLength",
-                        "foot_m = [0.13, 0.33, 0.25]",
-                        "foot_m = [0.14, 0.68, 0.24]",
-                        "[0.14, 0.68, 0.24]\n[axle.carrier]",
-                        {"a point apart from 'tip_m'"}});
+    expect_own({"TakenName",
+                "part = \"arm\"",
+                "part = \"spring\"",
+                "\"spring\"\npoint_m",
+                {"a name that no other table of an axle has"}});
+    expect_own({"NoLength",
+                "foot_m = [0.13, 0.33, 0.25]",
+                "foot_m = [0.14, 0.68, 0.24]",
+                "[0.14, 0.68, 0.24]\n[axle.carrier]",
+                {"a point apart from 'tip_m'"}});
 }
 
 }  // namespace
