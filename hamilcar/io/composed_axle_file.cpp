@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hamilcar/io/axial_file.hpp"
 #include "hamilcar/io/body_file.hpp"
 #include "hamilcar/io/linkage_file.hpp"
 #include "hamilcar/io/mirror.hpp"
@@ -67,39 +68,6 @@ void check_composition(const TableReader& axle, const Composition& composition, 
                 "a linkage that moves with its wheels alone; " + verdict.problem);
 }
 
-const PartChoice& part_of(const TableReader& table, std::string_view key, const Composition& composition,
-                          std::string_view otherwise) {
-    std::vector<std::string_view> names;
-    for (const PartChoice& part : composition.parts) names.push_back(part.name);
-    const auto usual = std::ranges::find(names, otherwise);
-    const std::optional<std::size_t> place =
-        usual == names.end() ? std::nullopt : std::optional<std::size_t>(usual - names.begin());
-    return composition.parts[table.one_of(key, names, place)];
-}
-
-// The left line of a spring or a damper, and the part of its mirror image.
-struct Lines {
-    LineDescription left;
-    std::size_t right_part;
-};
-
-Lines read_line(const TableReader& table, const Composition& composition, std::string_view usual_part) {
-    const PartChoice& part = part_of(table, "on", composition, usual_part);
-    Lines lines{{part.left, 0, table.array<3>("at_m"), table.array<3>("body_m"), {}}, part.right};
-    if (composition.carriers.size() == 2 && table.has("right_on")) {
-        lines.right_part = part_of(table, "right_on", composition, part.name).right;
-    }
-    table.expect(lines.left.on_part != lines.left.on_base, "body_m", "a point apart from 'at_m'");
-    return lines;
-}
-
-LineDescription mirrored_line(const Lines& lines) {
-    LineDescription right = lines.left;
-    right.part = lines.right_part;
-    right.on_part = mirrored(right.on_part), right.on_base = mirrored(right.on_base);
-    return right;
-}
-
 ComposedWheelDescription read_left_wheel(const TableReader& axle, const NamedTires& tires,
                                          const Composition& composition) {
     const TableReader wheel = axle.table("wheel");
@@ -136,31 +104,6 @@ void add_bodies(const TableReader& axle, const Composition& composition, const W
     }
 }
 
-// Springs, dampers and the twist beam's own: those of the left wheel, then of the right one.
-void add_elements(const TableReader& axle, const Composition& composition, std::string_view usual_part, bool both,
-                  ComposedSpokeDescription& to) {
-    const std::string name = axle.text("name");
-    if (const auto table = axle.optional_table("spring")) {
-        const Lines lines = read_line(*table, composition, usual_part);
-        const SpringDescription spring{table->number("rate_N_per_m", positive),
-                                       table->number("force_at_design_N", any_number)};
-        to.springs.push_back({name + "_left", lines.left, spring});
-        if (both) to.springs.push_back({name + "_right", mirrored_line(lines), spring});
-    }
-    if (const auto table = axle.optional_table("damper")) {
-        const Lines lines = read_line(*table, composition, usual_part);
-        const DamperDescription damper = read_damper(*table);
-        to.dampers.push_back({name + "_left", lines.left, damper});
-        if (both) to.dampers.push_back({name + "_right", mirrored_line(lines), damper});
-    }
-    if (!composition.twist) return;
-    if (const auto table = axle.optional_table("twist_spring")) {
-        LineDescription line;
-        line.coordinate = composition.twist;
-        to.springs.push_back({name + "_twist", line, {table->number("rate_N_m_per_rad", positive), 0}});
-    }
-}
-
 // An axle as one spoke with two wheels.
 void add_two_wheel_spoke(const TableReader& axle, const NamedTires& tires, const Composition& composition,
                          std::string_view usual_part, ComposedSpokeDescription spoke, VehicleDescription& vehicle) {
@@ -170,7 +113,7 @@ void add_two_wheel_spoke(const TableReader& axle, const NamedTires& tires, const
     add_bodies(axle, composition,
                composition.parts[0].left == composition.parts[0].right ? WheelDescription{} : spoke.wheels[0].wheel,
                spoke);
-    add_elements(axle, composition, usual_part, true, spoke);
+    add_springs_and_dampers(axle, {composition, composition, usual_part}, spoke, spoke);
     vehicle.composed.push_back(spoke);
 }
 
@@ -183,20 +126,13 @@ void add_pair_of_spokes(const TableReader& axle, const NamedTires& tires, const 
     spoke.linkage = left.linkage;
     spoke.wheels = {read_left_wheel(axle, tires, left)};
     add_bodies(axle, left, spoke.wheels[0].wheel, spoke);
-    add_elements(axle, left, usual_part, false, spoke);
-    vehicle.composed.push_back(spoke);
-
-    spoke.name = named.name + "_right";
-    spoke.linkage = right.linkage;
-    spoke.wheels[0] = right_wheel(spoke.wheels[0], named.name, right.carriers[0]);
-    for (ComposedBodyDescription& body : spoke.bodies) mirror(body.body);
-    const auto turn_over = [&](auto& element) {
-        element.name = spoke.name;
-        element.line.on_part = mirrored(element.line.on_part), element.line.on_base = mirrored(element.line.on_base);
-    };
-    std::ranges::for_each(spoke.springs, turn_over);
-    std::ranges::for_each(spoke.dampers, turn_over);
-    vehicle.composed.push_back(spoke);
+    ComposedSpokeDescription other = spoke;
+    other.name = named.name + "_right";
+    other.linkage = right.linkage;
+    other.wheels[0] = right_wheel(spoke.wheels[0], named.name, right.carriers[0]);
+    for (ComposedBodyDescription& body : other.bodies) mirror(body.body);
+    add_springs_and_dampers(axle, {left, right, usual_part}, spoke, other);
+    vehicle.composed.push_back(spoke), vehicle.composed.push_back(other);
 }
 
 }  // namespace

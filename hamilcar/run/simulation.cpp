@@ -135,6 +135,7 @@ void Simulation::start() {
         }
     }
     set_velocities(model_, input, spatial<double>(vec3(initial.velocity), vec3(initial.angular_velocity)), state_);
+    last_good_ = state_;
     const std::string problem = inspect(velocity_block(model_, state_, input).health);
     if (!problem.empty()) throw io::Error(io::ExitCode::numerical, "at the start: " + problem);
     initial_balance_ = sample().energy.balance();
@@ -183,10 +184,13 @@ std::string Simulation::inspect(const Health<double>& health) const {
         if (locks ? loop.mobility < worst.mobility : loop.opening > worst.opening) worst = loop;
     }
     if (locks) {
-        return fmt::format("the linkage of {} locks: its wheel cannot move further this way", corner_name(worst.spoke));
+        return fmt::format("the linkage of {} locks at '{}'{}: it cannot move further this way",
+                           corner_name(worst.spoke), cut_name(worst), travels(worst.spoke));
     }
-    return fmt::format("{} came apart: '{}' stands open by {:.1f} mm; try a smaller step", corner_name(worst.spoke),
-                       cut_name(worst), 1e3 * worst.opening);
+    return fmt::format(
+        "{} came apart: '{}' stands open by {:.1f} mm{}; the linkage may be past its reach, or try a smaller "
+        "step",
+        corner_name(worst.spoke), cut_name(worst), 1e3 * worst.opening, travels(worst.spoke));
 }
 
 std::string Simulation::assembly_problem(const LoopReport& loop) const {
@@ -198,6 +202,26 @@ std::string Simulation::assembly_problem(const LoopReport& loop) const {
     }
     return fmt::format("{}: the hardpoints do not assemble: '{}' misses by {:.3f} mm (expected below {:.0e} mm)",
                        corner_name(loop.spoke), cut_name(loop), 1e3 * loop.opening, 1e3 * assembly_tolerance);
+}
+
+// ", wheel travel +85 mm (rear_left)" of the last good state, or of the wheels of both sides.
+std::string Simulation::travels(int spoke) const {
+    const Velocity<double> velocity = velocity_block(model_, last_good_, schedule_(time()));
+    const int corners = model_.vehicle.spoke_count();
+    if (spoke < corners) {
+        const double travel =
+            visit_spoke(model_.vehicle, velocity, spoke,
+                        [](const auto& own, const auto&, const auto& at) { return wheel_travel(own, at); });
+        return fmt::format(", wheel travel {:+.0f} mm ({})", 1e3 * travel, corner_name(spoke));
+    }
+    const auto i = static_cast<std::size_t>(spoke - corners);
+    const ComposedSpoke<double>& composed = model_.vehicle.composed[i];
+    std::string text;
+    for (std::size_t w = 0; w < composed.wheels.size(); ++w) {
+        const double travel = velocity.composed.spokes[i].center[w][2] - composed.wheels[w].wheel.center[2];
+        text += fmt::format(", wheel travel {:+.0f} mm ({})", 1e3 * travel, vehicle_.composed[i].wheels[w].name);
+    }
+    return text;
 }
 
 std::string Simulation::corner_name(int spoke) const {

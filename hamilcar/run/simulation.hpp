@@ -80,6 +80,7 @@ private:
     std::string assembly_problem(const LoopReport& loop) const;
     std::string cut_name(const LoopReport& loop) const;
     std::string corner_name(int spoke) const;
+    std::string travels(int spoke) const;
 
     VehicleDescription vehicle_;
     ScenarioDescription scenario_;
@@ -87,7 +88,7 @@ private:
     const Engine* engine_;
     Schedule schedule_;
     Integrator<State<double>> integrator_;
-    State<double> state_, last_good_;
+    State<double> state_, last_good_;  // the latter before the present step
     long step_count_ = 0, total_steps_ = 0;
     double initial_balance_ = 0;
 };

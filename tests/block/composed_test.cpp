@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "hamilcar/analysis/linear_model.hpp"
 #include "hamilcar/batch/batch.hpp"
 #include "hamilcar/suspension/compose_corner.hpp"
 #include "support/allocation_guard.hpp"
@@ -130,6 +131,40 @@ TEST(Mirror, HoldsForComposedVehicles) {
         EXPECT_NEAR(a.state().position()[1], -b.state().position()[1], 1e-9) << name;
         EXPECT_GT(std::abs(a.state().position()[1]), 1e-3) << name;
     }
+}
+
+// The rotation of an arm about a mirrored axis is mirrored with the other sign: with preloads of opposite sense a car on
+// torsion bars stands upright, and leans where they are equal.
+TEST(Mirror, TorsionBarsOfMirroredArmsTurnTheOtherWay) {
+    for (const double sense : {-1.0, 1.0}) {
+        VehicleDescription car = test::shipped("formula");
+        for (ComposedSpokeDescription& spoke : car.composed) {
+            LineDescription about;
+            about.coordinate = 0;
+            const bool right = spoke.name.ends_with("_right");
+            spoke.springs = {{spoke.name, about, {6000, 150 * (right ? sense : 1.0)}}};
+        }
+        const Linearizer linearizer(car);
+        const OperatingPoint at = linearizer.operating_point({});
+        if (sense < 0) {
+            ASSERT_TRUE(at.found) << at.problem;
+            EXPECT_NEAR(at.z[1], 0, 1e-9);
+        } else {
+            EXPECT_TRUE(!at.found || std::abs(at.z[1]) > 1e-3);
+        }
+    }
+}
+
+// Neither position nor heading matters.
+TEST_P(Fleet, DrivesTheSameElsewhereAndTurned) {
+    ScenarioDescription here = test::everything_moves(car(), 1), there = here;
+    there.initial.position = {5000, -3000};
+    there.initial.yaw = 1;
+    Simulation a(car(), here), b(car(), there);
+    test::run_to_end(a), test::run_to_end(b);
+    const Vec3<double> moved = Vec3<double>(b.state().position()) - Vec3<double>(5000, -3000, 0);
+    const Vec3<double> turned = axis_rotation<double>(Vec3<double>::UnitZ(), 1.0) * Vec3<double>(a.state().position());
+    EXPECT_LT((moved - turned).norm(), 1e-8);
 }
 
 TEST(ComposedProgram, TakesThePathOfTheCompiledOne) {

@@ -30,6 +30,28 @@ TEST(Channels, AreChosenByNameOrPrefix) {
     EXPECT_THROW(select_channels(all, {"nonesuch.*"}), io::Error);
 }
 
+// Dropped without stops, wheels pass the reach of their linkage: the end names the wheel, its travel and the joint.
+TEST(Ends, PastTheReachOfALinkageTellWheelTravelAndJoint) {
+    for (const char* name : {"formula", "bmw_e90_330i"}) {
+        VehicleDescription car = io::read_vehicle(test::source_path("vehicles/" + std::string(name) + ".toml"));
+        for (CornerDescription& corner : car.corners) corner.bump = corner.rebound = {};
+        for (ComposedSpokeDescription& spoke : car.composed) {
+            for (ComposedWheelDescription& wheel : spoke.wheels) wheel.bump = wheel.rebound = {};
+        }
+        ScenarioDescription s = test::scenario(3);
+        s.initial.settle = false, s.initial.height = 4;
+        Simulation simulation(car, s);
+        std::optional<End> end;
+        while (!simulation.finished() && !end) end = simulation.advance();
+        ASSERT_TRUE(end.has_value()) << name;
+        EXPECT_THAT(end->message, testing::HasSubstr("wheel travel ")) << name;
+        EXPECT_THAT(end->message, testing::ContainsRegex("'[a-z0-9 ]+'")) << name;
+        EXPECT_THAT(end->message, testing::ContainsRegex("(front|rear)_(left|right)")) << name;
+        EXPECT_THAT(end->message, testing::HasSubstr("the results end at t = ")) << name;
+        std::printf("%s\n", end->message.c_str());
+    }
+}
+
 // Velocities are the rates of positions, accelerations those of velocities: central differences of the channels.
 TEST(Channels, VelocitiesAreTheRatesOfPositions) {
     ScenarioDescription s = test::scenario(2, 15);

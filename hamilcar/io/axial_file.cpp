@@ -1,0 +1,134 @@
+#include "hamilcar/io/axial_file.hpp"
+
+#include <algorithm>
+
+#include "hamilcar/io/wheel_file.hpp"
+#include "hamilcar/linkage/compose.hpp"
+
+namespace hamilcar::io {
+
+namespace {
+
+// A line and its mirror image. `sense` is -1 where a rotation of the left side is mirrored by one with the other sign.
+struct Lines {
+    LineDescription left, right;
+    bool turns = false;
+    double sense = 1;
+};
+
+std::vector<std::string_view> part_names(const Composition& composition) {
+    std::vector<std::string_view> names;
+    for (const PartChoice& part : composition.parts) names.push_back(part.name);
+    return names;
+}
+
+const PartChoice& part_of(const TableReader& table, std::string_view key, const Composition& composition,
+                          std::string_view otherwise) {
+    const std::vector<std::string_view> names = part_names(composition);
+    const auto usual = std::ranges::find(names, otherwise);
+    const std::optional<std::size_t> place =
+        usual == names.end() ? std::nullopt : std::optional<std::size_t>(usual - names.begin());
+    return composition.parts[table.one_of(key, names, place)];
+}
+
+// Along the one coordinate of the joint that carries a part.
+Lines along_joint(const TableReader& table, const AxleSides& sides) {
+    const PartChoice& part = part_of(table, "along", sides.left, "");
+    const auto joint = [](const AxleSides& of, bool right, std::size_t number) -> const TreeJointDescription& {
+        return (right ? of.right : of.left).linkage.joints[number - 1];
+    };
+    const TreeJointDescription &left = joint(sides, false, part.left), &right = joint(sides, true, part.right);
+    table.expect(freedoms(left.kind) == 1, "along", "a part on a revolute or prismatic joint");
+    Lines out;
+    out.left.coordinate = frame_of_part(sides.left.linkage, part.left) - 1;
+    out.right.coordinate = frame_of_part(sides.right.linkage, part.right) - 1;
+    out.turns = left.kind == TreeJoint::revolute;
+    const Point m = mirrored(left.axis);
+    const double same = m[0] * right.axis[0] + m[1] * right.axis[1] + m[2] * right.axis[2];
+    // A mirrored rotation turns the other way about the mirrored axis.
+    out.sense = out.turns == (same > 0) ? -1 : 1;
+    return out;
+}
+
+// From a point of the part `on` to a point of the part `to`, which is the chassis unless the file says otherwise.
+Lines between_points(const TableReader& table, const AxleSides& sides) {
+    const PartChoice& part = part_of(table, "on", sides.left, sides.usual_part);
+    Lines out;
+    out.left.part = part.left, out.right.part = part.right;
+    if (sides.left.carriers.size() == 2 && table.has("right_on")) {
+        out.right.part = part_of(table, "right_on", sides.left, part.name).right;
+    }
+    if (table.has("to")) {
+        const PartChoice& base = part_of(table, "to", sides.left, "");
+        table.expect(base.left != part.left, "to", "another part than the line starts from");
+        out.left.base = base.left, out.right.base = base.right;
+    }
+    out.left.on_part = table.array<3>("at_m"), out.left.on_base = table.array<3>("body_m");
+    table.expect(out.left.on_part != out.left.on_base, "body_m", "a point apart from 'at_m'");
+    out.right.on_part = mirrored(out.left.on_part), out.right.on_base = mirrored(out.left.on_base);
+    return out;
+}
+
+Lines read_lines(const TableReader& table, const AxleSides& sides) {
+    return table.chosen({{"at_m", "body_m"}, {"along"}}) == 1 ? along_joint(table, sides)
+                                                              : between_points(table, sides);
+}
+
+// One table, a list of them, or none.
+std::vector<TableReader> elements(const TableReader& axle, std::string_view key) {
+    if (axle.has_list(key)) return axle.tables(key);
+    if (const auto table = axle.optional_table(key)) return {*table};
+    return {};
+}
+
+// "front_left", then "front_left_2": the prefix of an element's channels.
+std::string numbered(const std::string& name, std::size_t i) {
+    return i == 0 ? name : name + "_" + std::to_string(i + 1);
+}
+
+SpringDescription read_spring(const TableReader& table, bool turns) {
+    if (turns) {
+        return {table.number("rate_N_m_per_rad", positive), table.number("moment_at_design_N_m", any_number)};
+    }
+    return {table.number("rate_N_per_m", positive), table.number("force_at_design_N", any_number)};
+}
+
+DamperDescription read_any_damper(const TableReader& table, bool turns) {
+    if (!turns) return read_damper(table);
+    const double damping = table.number("damping_N_m_s_per_rad", not_negative);
+    return {{-1, 1}, {-damping, damping}};
+}
+
+}  // namespace
+
+void add_springs_and_dampers(const TableReader& axle, const AxleSides& sides, ComposedSpokeDescription& left,
+                             ComposedSpokeDescription& right) {
+    const std::string name = axle.text("name");
+    std::vector<ComposedSpringDescription> right_springs;
+    std::vector<ComposedDamperDescription> right_dampers;
+    std::size_t number = 0;
+    for (const TableReader& table : elements(axle, "spring")) {
+        const Lines lines = read_lines(table, sides);
+        SpringDescription spring = read_spring(table, lines.turns);
+        left.springs.push_back({numbered(name + "_left", number), lines.left, spring});
+        spring.force_at_design *= lines.sense;
+        right_springs.push_back({numbered(name + "_right", number++), lines.right, spring});
+    }
+    number = 0;
+    for (const TableReader& table : elements(axle, "damper")) {
+        const Lines lines = read_lines(table, sides);
+        const DamperDescription damper = read_any_damper(table, lines.turns);
+        left.dampers.push_back({numbered(name + "_left", number), lines.left, damper});
+        right_dampers.push_back({numbered(name + "_right", number++), lines.right, damper});
+    }
+    right.springs.insert(right.springs.end(), right_springs.begin(), right_springs.end());
+    right.dampers.insert(right.dampers.end(), right_dampers.begin(), right_dampers.end());
+    if (!sides.left.twist) return;
+    if (const auto table = axle.optional_table("twist_spring")) {
+        LineDescription line;
+        line.coordinate = sides.left.twist;
+        left.springs.push_back({name + "_twist", line, {table->number("rate_N_m_per_rad", positive), 0}});
+    }
+}
+
+}  // namespace hamilcar::io

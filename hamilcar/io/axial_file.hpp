@@ -1,0 +1,20 @@
+// Reads the springs and dampers of a composed suspension: [axle.spring] or several [[axle.spring]], and likewise dampers.
+#pragma once
+
+#include "hamilcar/description/vehicle.hpp"
+#include "hamilcar/io/table_reader.hpp"
+#include "hamilcar/suspension/recipe.hpp"
+
+namespace hamilcar::io {
+
+// An axle's two sides, which are one composition where one spoke carries both wheels.
+struct AxleSides {
+    const Composition &left, &right;
+    std::string_view usual_part;  // that springs act on unless the file says otherwise
+};
+
+// Each is given for the left side and comes with its mirror image. The two spokes may be one.
+void add_springs_and_dampers(const TableReader& axle, const AxleSides& sides, ComposedSpokeDescription& left,
+                             ComposedSpokeDescription& right);
+
+}  // namespace hamilcar::io
