@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Checks every vehicle and scenario against its schema with taplo, and that the schemas refuse what is wrong.
 
-The linter is what editors use ("Even Better TOML"), so a file that passes here is clean there. It is installed once from
-tools/taplo/package-lock.json and needs no network after that. Without Node.js nothing is checked, and that is said.
+The linter is what editors use ("Even Better TOML"), so a file that passes here is clean there. It is installed once
+from tools/taplo/package-lock.json and needs no network after that. Without Node.js nothing is checked, and it says so.
 """
 
 import json

@@ -1,6 +1,6 @@
-// Stands in for a file that is not there: one run of a reader against it notes every key that the reader asks for. Where the
-// reader's way depends on the file (is the key there? which word is it?) the recorder takes the decision that it was told to
-// take, and notes that there was one.
+// Stands in for a file that is not there: one run of a reader against it notes every key that the reader asks for.
+// Where the reader's way depends on the file (is the key there? which word is it?) the recorder takes the decision that
+// it was told to take, and notes that there was one.
 #pragma once
 
 #include <map>

@@ -122,8 +122,8 @@ Json narrowed_value(const KeyRecord& common, const KeyRecord& variant) {
     return out;
 }
 
-// What holds for a variant beyond what it has in common with others. Where a keyword is about all other keys, all keys that
-// the variant has are listed beside it.
+// What holds for a variant beyond what it has in common with others. Where a keyword is about all other keys, all keys
+// that the variant has are listed beside it.
 Json narrowed(const TableRecord& common, const TableRecord& variant) {
     Json out = Json::object(), properties = Json::object(), required = Json::array(), others = Json::object();
     for (const KeyRecord& key : variant.keys) {
@@ -189,7 +189,8 @@ Json if_then_else(const Json& condition, const Json& yes, const Json& no) {
     return out;
 }
 
-// A condition on a table below as one on the table above; it may hold without the table where it may hold without a key.
+// A condition on a table below as one on the table above; it may hold without the table where it may hold without a
+// key.
 Json seen_from_above(Json condition, const TablePath& below) {
     for (std::size_t i = below.size(); i-- > 0;) {
         const bool must_exist = condition.contains("required") || condition.contains("anyOf");

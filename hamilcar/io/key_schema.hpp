@@ -1,9 +1,9 @@
 // Records of keys as pieces of a JSON Schema (draft 7).
 //
-// A table has two schemas. One lists all keys that may ever stand in it and what their values may be: editors complete and
-// explain from it. The other says what is required, and which of the keys belong together: an editor needs no more of it
-// than its verdict. It uses if and then, not oneOf, because "'ball_joint_m' is a required property" helps and "matches none
-// of 13 schemas" does not.
+// A table has two schemas. One lists all keys that may ever stand in it and what their values may be: editors complete
+// and explain from it. The other says what is required, and which of the keys belong together: an editor needs no more
+// of it than its verdict. It uses if and then, not oneOf, because "'ball_joint_m' is a required property" helps and
+// "matches none of 13 schemas" does not.
 #pragma once
 
 #include "hamilcar/io/key_recorder.hpp"
@@ -17,8 +17,8 @@ Json table_schema(const TableRecord& table);
 // What a table wants beyond table_schema.
 Json requirements(const TableRecord& table);
 
-// The same table under each option of a decision as one: what all have in common, and its `choices`. The decision is made
-// in that table or in one below it; the first `depth` steps of its path lead to the table.
+// The same table under each option of a decision as one: what all have in common, and its `choices`. The decision is
+// made in that table or in one below it; the first `depth` steps of its path lead to the table.
 TableRecord joined_by_choice(const std::vector<TableRecord>& variants, const Decision& decision, std::size_t depth);
 
 }  // namespace hamilcar::io

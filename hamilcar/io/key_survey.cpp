@@ -25,8 +25,8 @@ class Survey {
 public:
     explicit Survey(const std::function<void(const TableReader&)>& read) : read_(read) {}
 
-    // What is asked for under these answers, with the choices from the decision of number `first` on that are made within
-    // the table `scope`.
+    // What is asked for under these answers, with the choices from the decision of number `first` on that are made
+    // within the table `scope`.
     TableRecord explore(const Answers& answers, std::size_t first, const TablePath& scope) const {
         const Run base = run(answers);
         TableRecord record = base.record;
@@ -74,8 +74,8 @@ private:
         table_at(record, scope) = joined_by_choice(variants, decision, scope.size());
     }
 
-    // A word may matter only together with a later decision, and that one for tables beside: the scope grows until it holds
-    // all that the options differ in.
+    // A word may matter only together with a later decision, and that one for tables beside: the scope grows until it
+    // holds all that the options differ in.
     std::vector<TableRecord> explore_options(const Decision& decision, const Answers& answers, std::size_t number,
                                              TablePath& scope) const {
         for (;;) {
@@ -89,8 +89,8 @@ private:
         }
     }
 
-    // Widens the scope to hold all tables in which others differ from the first, but for the deciding key itself; whether
-    // there are any.
+    // Widens the scope to hold all tables in which others differ from the first, but for the deciding key itself;
+    // whether there are any.
     static bool widen(TablePath& scope, const TableRecord& first, const std::vector<TableRecord>& others,
                       const Decision& decision) {
         bool any = false;

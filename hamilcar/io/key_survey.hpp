@@ -1,8 +1,8 @@
-// All that a reader may ask for, over all files there could be. The reader is run against a KeyRecorder again and again, with
-// one decision turned at a time. Each option of a decision is explored in full within the tables that it changes, so a choice
-// inside of another is found (which keys does a steered axle want, if it is a solid one?), but choices that have nothing to
-// do with each other are not multiplied. Whether a key is there, or is a list, is taken for a choice only if that
-// alone changes other keys.
+// All that a reader may ask for, over all files there could be. The reader is run against a KeyRecorder again and
+// again, with one decision turned at a time. Each option of a decision is explored in full within the tables that it
+// changes, so a choice inside of another is found (which keys does a steered axle want, if it is a solid one?), but
+// choices that have nothing to do with each other are not multiplied. Whether a key is there, or is a list, is taken
+// for a choice only if that alone changes other keys.
 #pragma once
 
 #include <functional>

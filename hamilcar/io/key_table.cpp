@@ -60,7 +60,8 @@ void collect(const TableRecord& a, const TableRecord& b, const TablePath& owner,
     if (differ) found.push_back(here);
 }
 
-// Where tables may have any name, one of them may have the name of this key: it must have what those must have, no more.
+// Where tables may have any name, one of them may have the name of this key: it must have what those must have, no
+// more.
 void loosen_for_any_name(KeyRecord& key, const TableRecord& other) {
     const KeyRecord* any = other.find(any_name);
     if (!any || key.key == any_name || key.below.empty() || any->below.empty()) return;

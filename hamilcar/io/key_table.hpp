@@ -1,4 +1,5 @@
-// What a file may hold: every table with its keys, as the readers ask for them, and what depends on a choice in the file.
+// What a file may hold: every table with its keys, as the readers ask for them, and what depends on a choice in the
+// file.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,7 @@
 #include "hamilcar/io/schema.hpp"
 
+#include <map>
+
 #include "hamilcar/io/key_schema.hpp"
 #include "hamilcar/io/key_survey.hpp"
 #include "hamilcar/io/scenario_file.hpp"
@@ -28,6 +30,34 @@ std::string written(const Json& json, const std::string& indent) {
     return out + "\n" + indent + line.back();
 }
 
+constexpr std::size_t worth_sharing = 1000;  // of a schema's text [characters]
+
+void count(const Json& json, std::map<std::string, int>& places) {
+    if (json.is_primitive()) return;
+    const std::string text = json.dump();
+    if (text.size() < worth_sharing || (json.is_object() && ++places[text] > 1)) return;
+    for (const Json& inner : json) count(inner, places);
+}
+
+// Schemas that stand at several places, such as that of an axle of the motor vehicle or of a trailer, become
+// references.
+Json shared(const Json& json, const std::string& name, const std::map<std::string, int>& places, Json& definitions) {
+    if (json.is_primitive()) return json;
+    const auto found = json.is_object() ? places.find(json.dump()) : places.end();
+    if (found != places.end() && found->second > 1) {
+        std::string id = name;
+        while (definitions.contains(id) && definitions[id] != json) id += "_";
+        definitions[id] = json;
+        return {{"$ref", "#/definitions/" + id}};
+    }
+    Json out = json;
+    for (auto& [key, inner] : out.items()) {
+        const bool is_name = json.is_object() && key != "items";
+        inner = shared(inner, is_name ? key : name, places, definitions);
+    }
+    return out;
+}
+
 // A file with a base may leave out whatever the base has, so only the names and the values of its keys can be judged.
 std::string schema_of(const TableRecord& file, const std::string& title) {
     Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", title}};
@@ -37,6 +67,11 @@ std::string schema_of(const TableRecord& file, const std::string& title) {
                                     {"description", "another such file, relative to this one, to start from"}};
     schema["if"] = {{"not", {{"required", {"base"}}}}};
     schema["then"] = requirements(file);
+    std::map<std::string, int> places;
+    count(schema, places);
+    Json definitions = Json::object();
+    schema = shared(schema, "file", places, definitions);
+    if (!definitions.empty()) schema["definitions"] = definitions;
     return written(schema, "") + "\n";
 }
 
