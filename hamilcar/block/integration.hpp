@@ -28,6 +28,8 @@ void close_loops(const Model<T>& model, const RackMotion<T>& rack, State<T>& sta
     }
 }
 
+extern template void close_loops<double>(const Model<double>&, const RackMotion<double>&, State<double>&, int);
+
 template <class T>
 HAMILCAR_CORE void add_closing(const Model<T>& model, const RingTurn<T>& turn, State<T>& state) {
     for (int i = 0; i < model.vehicle.spoke_count(); ++i) {

@@ -105,4 +105,7 @@ Momenta<T> momenta_block(const Model<T>& model, const State<T>& state, const Inp
     return momenta_block_of<Account::full>(model, state, input, velocity);
 }
 
+extern template Momenta<double> momenta_block<double>(const Model<double>&, const State<double>&, const Input<double>&,
+                                                      const Velocity<double>&);
+
 }  // namespace hamilcar

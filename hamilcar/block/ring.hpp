@@ -107,6 +107,11 @@ void evaluate(const Model<T>& model, const Input<T>& input, const State<T>& stat
     }
 }
 
+#ifndef HAMILCAR_INSTRUCTION_SET  // an engine links with nothing and has its own
+extern template void evaluate<double>(const Model<double>&, const Input<double>&, const State<double>&, State<double>&,
+                                      RingTurn<double>&);
+#endif
+
 template <class T>
 RingTurn<T> evaluate(const Model<T>& model, const Input<T>& input, const State<T>& state, State<T>& rate) {
     RingTurn<T> turn;

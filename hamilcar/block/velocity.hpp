@@ -176,4 +176,8 @@ Velocity<T> velocity_block(const Model<T>& model, const State<T>& state, const I
     return velocity_block_of<T>(model, state, input);
 }
 
+// Compiled once, in plain_blocks.cpp: everybody asks for it.
+extern template Velocity<double> velocity_block<double>(const Model<double>&, const State<double>&,
+                                                        const Input<double>&);
+
 }  // namespace hamilcar

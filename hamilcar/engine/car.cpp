@@ -1,6 +1,13 @@
 #include "hamilcar/engine/engine.hpp"
 #include "hamilcar/engine/flush.hpp"
 
+#ifndef HAMILCAR_INSTRUCTION_SET  // inside the library: for everybody who turns the ring himself
+namespace hamilcar {
+template void evaluate<double>(const Model<double>&, const Input<double>&, const State<double>&, State<double>&,
+                               RingTurn<double>&);
+}
+#endif
+
 namespace hamilcar::engine_parts {
 
 Health<double> advance_car(const Model<double>& model, Integrator<State<double>>& integrator, const Schedule& schedule,

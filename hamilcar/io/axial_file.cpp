@@ -74,11 +74,14 @@ Lines read_lines(const TableReader& table, const AxleSides& sides) {
                                                               : between_points(table, sides);
 }
 
-// One table, a list of them, or none.
-std::vector<TableReader> elements(const TableReader& axle, std::string_view key) {
-    if (axle.has_list(key)) return axle.tables(key);
-    if (const auto table = axle.optional_table(key)) return {*table};
-    return {};
+// [axle.spring], then every [[axle.further_spring]].
+std::vector<TableReader> elements(const TableReader& axle, std::string_view key, std::string_view further) {
+    std::vector<TableReader> out;
+    if (const auto table = axle.optional_table(key)) out.push_back(*table);
+    if (!axle.has(further)) return out;
+    const std::vector<TableReader> more = axle.tables(further);
+    out.insert(out.end(), more.begin(), more.end());
+    return out;
 }
 
 // "front_left", then "front_left_2": the prefix of an element's channels.
@@ -107,7 +110,7 @@ void add_springs_and_dampers(const TableReader& axle, const AxleSides& sides, Co
     std::vector<ComposedSpringDescription> right_springs;
     std::vector<ComposedDamperDescription> right_dampers;
     std::size_t number = 0;
-    for (const TableReader& table : elements(axle, "spring")) {
+    for (const TableReader& table : elements(axle, "spring", "further_spring")) {
         const Lines lines = read_lines(table, sides);
         SpringDescription spring = read_spring(table, lines.turns);
         left.springs.push_back({numbered(name + "_left", number), lines.left, spring});
@@ -115,7 +118,7 @@ void add_springs_and_dampers(const TableReader& axle, const AxleSides& sides, Co
         right_springs.push_back({numbered(name + "_right", number++), lines.right, spring});
     }
     number = 0;
-    for (const TableReader& table : elements(axle, "damper")) {
+    for (const TableReader& table : elements(axle, "damper", "further_damper")) {
         const Lines lines = read_lines(table, sides);
         const DamperDescription damper = read_any_damper(table, lines.turns);
         left.dampers.push_back({numbered(name + "_left", number), lines.left, damper});

@@ -1,4 +1,4 @@
-// Reads the springs and dampers of a composed suspension: [axle.spring] or several [[axle.spring]], and likewise dampers.
+// Reads the springs and dampers of a composed suspension: [axle.spring], [[axle.further_spring]], and likewise dampers.
 #pragma once
 
 #include "hamilcar/description/vehicle.hpp"

@@ -121,22 +121,21 @@ TEST(OwnLinkage, IsReadOnBothSides) {
 
 TEST(OwnLinkage, TakesSpringsAlongJointsAndBetweenAnyParts) {
     const std::string more =
-        "[[axle.spring]]\nalong = \"arm\"\nrate_N_m_per_rad = 2000\nmoment_at_design_N_m = 300\n"
-        "[[axle.spring]]\nto = \"arm\"\nat_m = [0, 0.66, 0.4]\nbody_m = [0, 0.5, 0.2]\n"
-        "rate_N_per_m = 1e3\nforce_at_design_N = 10\n[[axle.spring]]\nrate_N_per_m";
+        "\n[[axle.further_spring]]\nalong = \"arm\"\nrate_N_m_per_rad = 2000\nmoment_at_design_N_m = 300\n"
+        "[[axle.further_spring]]\nto = \"arm\"\nat_m = [0, 0.66, 0.4]\nbody_m = [0, 0.5, 0.2]\n"
+        "rate_N_per_m = 1e3\nforce_at_design_N = 10\n";
     const TemporaryFolder folder;
-    const VehicleDescription car =
-        read_vehicle(folder.write("own.toml", changed(own_linkage, "[axle.spring]\nrate_N_per_m", more)));
+    const VehicleDescription car = read_vehicle(folder.write("own.toml", own_linkage + more));
     const std::vector<ComposedSpringDescription>&left = car.composed[0].springs, &right = car.composed[1].springs;
     ASSERT_EQ(left.size(), 3u);
     ASSERT_EQ(right.size(), 3u);
-    EXPECT_EQ(left[0].line.coordinate, 0);
-    EXPECT_EQ(left[0].spring.force_at_design, 300);
-    EXPECT_EQ(right[0].spring.force_at_design, -300) << "a mirrored rotation turns the other way";
-    EXPECT_EQ(left[1].line.base, 1u);
-    EXPECT_EQ(left[1].name, "front_left_2");
-    EXPECT_EQ(right[1].line.on_base[1], -0.5);
-    EXPECT_EQ(right[2].name, "front_right_3");
+    EXPECT_EQ(left[1].line.coordinate, 0);
+    EXPECT_EQ(left[1].spring.force_at_design, 300);
+    EXPECT_EQ(right[1].spring.force_at_design, -300) << "a mirrored rotation turns the other way";
+    EXPECT_EQ(left[2].line.base, 1u);
+    EXPECT_EQ(left[2].name, "front_left_3");
+    EXPECT_EQ(right[2].line.on_base[1], -0.5);
+    EXPECT_EQ(right[1].name, "front_right_2");
 }
 
 TEST(OwnLinkage, LacksCutsAndSaysWhichPartIsLoose) {
