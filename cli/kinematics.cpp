@@ -5,6 +5,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <stdexcept>
 
 #include "commands.hpp"
 #include "hamilcar/analysis/kinematics.hpp"
@@ -149,7 +150,7 @@ nlohmann::json json_of(const AxleReport& axle) {
 // Slope of a column about the middle of the bump sweep, per meter.
 double gain(const AxleReport& axle, double WheelFigures::*member) {
     const std::vector<AxleFigures>& rows = axle.sweeps[0].rows;
-    const std::size_t middle = rows.size() / 2;
+    const std::size_t middle = axle.sweeps[0].design;
     if (middle == 0 || middle + 1 >= rows.size()) return std::nan("");
     return (rows[middle + 1].left.*member - rows[middle - 1].left.*member) /
            (rows[middle + 1].left.travel - rows[middle - 1].left.travel);
@@ -182,7 +183,13 @@ io::ExitCode kinematics(const Options& options) {
     const VehicleDescription vehicle = io::read_vehicle(options.file);
     SweepRange range;
     range.travel = 1e-3 * options.travel;
-    const std::vector<AxleReport> axles = hamilcar::kinematics(vehicle, range);
+    const std::vector<AxleReport> axles = [&] {
+        try {
+            return hamilcar::kinematics(vehicle, range);
+        } catch (const std::domain_error& error) {
+            throw io::Error(io::ExitCode::numerical, options.file + ": " + error.what());
+        }
+    }();
     nlohmann::json all = nlohmann::json::array();
     for (const AxleReport& axle : axles) {
         if (!options.output.empty()) {

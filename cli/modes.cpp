@@ -18,10 +18,12 @@ namespace {
 constexpr double degree = 180 / std::numbers::pi;
 
 OperatingPoint find_point(const Linearizer& linearizer, const Options& options) {
+    if (options.speed == 0 && options.lateral_acceleration != 0) {
+        throw io::Error(io::ExitCode::usage, "--lateral-acceleration: expected a --speed above zero with it [m/s]");
+    }
     const OperatingPoint at = linearizer.operating_point({options.speed, options.lateral_acceleration});
     if (at.found) return at;
-    throw io::Error(io::ExitCode::numerical,
-                    fmt::format("{}: {} (residual {:.2g})", options.file, at.problem, at.residual));
+    throw io::Error(io::ExitCode::numerical, fmt::format("{}: {}", options.file, at.problem));
 }
 
 std::string describe(const Options& options) {
@@ -57,15 +59,14 @@ void print_point(const OperatingPoint& at, const LinearModel& model, const Optio
         fmt::print("  rack                {:.3f} mm\n  drive torque        {:.1f} N m\n",
                    1e3 * at.input.rack.displacement, at.input.drive_torque);
         fmt::print("  sideslip            {:.3f} deg\n  yaw rate            {:.3f} deg/s\n",
-                   degree * std::atan2(model.output[1], model.output[0]), degree * model.output[2]);
+                   degree * std::atan2(model.output[output_lateral_velocity], model.output[output_speed]),
+                   degree * model.output[output_yaw_rate]);
     }
-    for (std::size_t i = 0; i < model.outputs.size(); ++i) {
-        if (model.output_units[i] != "N") continue;
-        const std::string wheel = model.outputs[i].substr(0, model.outputs[i].find('.'));
-        std::size_t travel = 0;
-        while (model.outputs[travel] != wheel + ".wheel.travel") ++travel;
-        fmt::print("  {:<20}{:>8.0f} N on the road, travel {:+.2f} mm\n", wheel,
-                   model.output[static_cast<Eigen::Index>(i)], 1e3 * model.output[static_cast<Eigen::Index>(travel)]);
+    const Eigen::Index wheels = (model.output.size() - first_wheel_output) / 2;
+    for (Eigen::Index i = 0; i < wheels; ++i) {
+        const std::string& output = model.outputs[static_cast<std::size_t>(first_wheel_output + i)];
+        fmt::print("  {:<20}{:>8.0f} N on the road, travel {:+.2f} mm\n", output.substr(0, output.find('.')),
+                   model.output[first_wheel_output + wheels + i], 1e3 * model.output[first_wheel_output + i]);
     }
 }
 
@@ -91,8 +92,7 @@ std::vector<double> frequencies(double from, double to, int count) {
 std::vector<double> road_to_seat(const LinearModel& model, const std::vector<double>& f) {
     std::vector<double> w, out;
     for (const double one : f) w.push_back(2 * std::numbers::pi * one);
-    constexpr int seat = 4;
-    const auto response = frequency_response(model, seat, gravity, -1, w);
+    const auto response = frequency_response(model, output_seat_velocity, gravity, -1, w);
     for (std::size_t i = 0; i < w.size(); ++i) {
         out.push_back(std::abs(1.0 + std::complex<double>(0, w[i]) * response[i]));
     }
@@ -102,8 +102,7 @@ std::vector<double> road_to_seat(const LinearModel& model, const std::vector<dou
 std::vector<double> steer_to_yaw(const LinearModel& model, const std::vector<double>& f) {
     std::vector<double> w, out;
     for (const double one : f) w.push_back(2 * std::numbers::pi * one);
-    constexpr int yaw_rate = 2;
-    for (const auto& one : frequency_response(model, yaw_rate, rack, rack_rate, w)) {
+    for (const auto& one : frequency_response(model, output_yaw_rate, rack, rack_rate, w)) {
         out.push_back(1e-3 * degree * std::abs(one));  // per millimeter of rack
     }
     return out;

@@ -21,6 +21,16 @@ HeldAxle::HeldAxle(const VehicleDescription& vehicle, const Model<double>& model
     : vehicle_(&vehicle), model_(&model), axle_(axle) {
     state_ = design_state(model, Vec3<double>::Zero(), Mat3<double>::Identity());
     assemble(model, {}, state_);
+    const auto corners = model.vehicle.spokes.size();
+    for (const std::size_t wheel : {axle.left, axle.right}) {
+        if (wheel < corners) loops_.push_back(static_cast<int>(wheel));
+        for (std::size_t s = 0; wheel >= corners && s < model.vehicle.composed.size(); ++s) {
+            const ComposedSpoke<double>& spoke = model.vehicle.composed[s];
+            const std::size_t first = corners + static_cast<std::size_t>(spoke.first_wheel);
+            const bool carries = wheel >= first && wheel < first + spoke.wheels.size();
+            if (carries) loops_.push_back(static_cast<int>(corners + s));
+        }
+    }
 }
 
 std::string HeldAxle::move(double left, double right, double rack) {
@@ -83,7 +93,7 @@ std::string HeldAxle::reach(double left_travel, double right_travel) {
 }
 
 std::string HeldAxle::open_joint() const {
-    for (int i = 0; i < loop_count(model_->vehicle); ++i) {
+    for (const int i : loops_) {
         const LoopReport report = inspect_loops(*model_, {rack_, 0, 0}, state_, i);
         if (!(report.opening < 1e-8)) return "the linkage of " + axle_.name + " does not reach this position";
         if (report.mobility < locked_mobility) return "the linkage of " + axle_.name + " locks";

@@ -37,6 +37,7 @@ private:
     const VehicleDescription* vehicle_;
     const Model<double>* model_;
     AxleWheels axle_;
+    std::vector<int> loops_;  // of the spokes that carry its wheels
     State<double> state_;
     double rack_ = 0;
 };

@@ -1,11 +1,16 @@
 #include "hamilcar/analysis/kinematics.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 
 #include "hamilcar/analysis/held_axle.hpp"
+#include "hamilcar/analysis/loops.hpp"
 #include "hamilcar/block/initial_process.hpp"
 #include "hamilcar/block/road_wheels.hpp"
 
@@ -31,19 +36,21 @@ double spring_lift(const WheelMotion& wheel, const Eigen::VectorXd& dq, Eigen::I
     return power;
 }
 
-double ratio(const std::vector<LineMotion>& lines, std::size_t which, const Eigen::VectorXd& dq, Eigen::Index first) {
-    if (lines.empty()) return none;
-    const LineMotion& line = lines[std::min(which, lines.size() - 1)];
+// Shortening of the wheel's own first spring or damper.
+double ratio(const std::vector<LineMotion>& lines, const std::string& wheel, const Eigen::VectorXd& dq,
+             Eigen::Index first) {
+    const auto own = std::ranges::find(lines, wheel, &LineMotion::name);
+    if (own == lines.end()) return none;
     double rate = 0;
-    for (std::size_t j = 0; j < line.gradient.size(); ++j)
-        rate += line.gradient[j] * dq[first + static_cast<Eigen::Index>(j)];
+    for (std::size_t j = 0; j < own->gradient.size(); ++j) {
+        rate += own->gradient[j] * dq[first + static_cast<Eigen::Index>(j)];
+    }
     return -rate;
 }
 
 struct Side {
     double outward;  // 1 on the left, -1 on the right
     double loaded_radius;
-    std::size_t line;    // which of the spoke's springs and dampers is this wheel's
     Eigen::Index first;  // of its coordinates in a motion of the axle
 };
 
@@ -79,11 +86,11 @@ WheelFigures figures(const WheelMotion& wheel, const Side& side, const Eigen::Ve
     out.center_x = wheel.center[0] - wheel.design_center[0];
     out.contact_y = side.outward * moved[1];
     const Spatial<double> v = carrier_motion(wheel, bump, side.first);
-    out.spring_ratio = ratio(wheel.springs, side.line, bump, side.first);
-    out.damper_ratio = ratio(wheel.dampers, side.line, bump, side.first);
+    out.spring_ratio = ratio(wheel.springs, wheel.name, bump, side.first);
+    out.damper_ratio = ratio(wheel.dampers, wheel.name, bump, side.first);
     out.dive_slope = velocity_at<double>(v, contact)[0];
     out.drive_slope = wheel.own_differential ? out.dive_slope : velocity_at<double>(v, wheel.center)[0];
-    out.wheel_rate = none;
+    out.wheel_rate = none;  // of differences, by the sweep
     read_steering_axis(wheel, side, contact, out);
     return out;
 }
@@ -101,7 +108,6 @@ AxleFigures read_axle(const HeldAxle& axle, const AxleFacts& facts) {
     AxleFacts sides = facts;
     const bool shared = shares_spoke(left, right);
     sides.right.first = shared ? 0 : static_cast<Eigen::Index>(left.coordinates.size());
-    sides.right.line = shared ? 1 : 0;
     const Eigen::VectorXd bump = HeldAxle::motion_for(left, right, {1, 1});
     const Eigen::VectorXd roll = HeldAxle::motion_for(left, right, {1, -1});
     AxleFigures out;
@@ -140,7 +146,7 @@ double spring_force(const HeldAxle& axle, const AxleFacts& facts) {
 
 Sweep sweep(const VehicleDescription& vehicle, const Model<double>& model, const AxleFacts& facts, const char* name,
             int steps, const std::function<Vec3<double>(double)>& at) {
-    Sweep out{name, {}, {}};
+    Sweep out{.name = name, .rows = {}, .ended = {}};
     std::vector<AxleFigures> below;
     for (const int direction : {-1, 1}) {
         HeldAxle axle(vehicle, model, facts.wheels);
@@ -148,9 +154,9 @@ Sweep sweep(const VehicleDescription& vehicle, const Model<double>& model, const
             const Vec3<double> target = at(2.0 * direction * i / steps);
             const std::string problem = axle.move(target[0], target[1], target[2]);
             if (!problem.empty()) {
-                out.ended = problem + " (travel " + std::to_string(1e3 * target[0]) + " mm left, " +
-                            std::to_string(1e3 * target[1]) + " mm right, rack " + std::to_string(1e3 * target[2]) +
-                            " mm)";
+                out.ended += fmt::format("{}{} (travel {:.1f} mm left, {:.1f} mm right, rack {:.1f} mm)",
+                                         out.ended.empty() ? "" : "; ", problem, 1e3 * target[0], 1e3 * target[1],
+                                         1e3 * target[2]);
                 break;
             }
             AxleFigures row = read_axle(axle, facts);
@@ -165,6 +171,7 @@ Sweep sweep(const VehicleDescription& vehicle, const Model<double>& model, const
             (direction < 0 ? below : out.rows).push_back(row);
         }
     }
+    out.design = below.size();
     out.rows.insert(out.rows.begin(), below.rbegin(), below.rend());
     return out;
 }
@@ -218,13 +225,15 @@ double base_of(const std::vector<WheelMotion>& wheels, const std::vector<WheelSh
 std::vector<AxleReport> kinematics(const VehicleDescription& vehicle, const SweepRange& range) {
     const Model<double> model{.vehicle = Vehicle<double>(vehicle), .road = PlaneRoad<double>(0, 0, 1)};
     State<double> state = design_state(model, Vec3<double>::Zero(), Mat3<double>::Identity());
-    assemble(model, {}, state);
+    const AssemblyResult assembly = assemble(model, {}, state);
+    if (!assembly.assembled) throw std::domain_error(assembly_problem(vehicle, model, assembly.worst));
     const std::vector<WheelMotion> wheels = wheel_motions(vehicle, model, state, 0);
     const std::vector<WheelShare> shares = shares_of(vehicle);
     const Vec3<double> center = mass_moment(model, velocity_block(model, state, {})) / model.vehicle.total_mass;
     double front = -1e9, rear = 1e9;
-    for (const WheelMotion& wheel : wheels)
+    for (const WheelMotion& wheel : wheels) {
         front = std::max(front, wheel.center[0]), rear = std::min(rear, wheel.center[0]);
+    }
     std::vector<AxleReport> out;
     for (const AxleWheels& axle : axles_of(wheels)) {
         const WheelMotion &left = wheels[axle.left], &right = wheels[axle.right];
@@ -233,8 +242,8 @@ std::vector<AxleReport> kinematics(const VehicleDescription& vehicle, const Swee
         const AxleFacts facts{axle,
                               left.center[1] - right.center[1],
                               base_of(wheels, shares, left.center[0]),
-                              {1, loaded, 0, 0},
-                              {-1, loaded, 0, 0}};
+                              {1, loaded, 0},
+                              {-1, loaded, 0}};
         AxleReport report;
         report.name = axle.name;
         HeldAxle held(vehicle, model, axle);
@@ -251,12 +260,15 @@ std::vector<AxleReport> kinematics(const VehicleDescription& vehicle, const Swee
                 return Vec3<double>(0, 0, share * vehicle.steering.rack_travel);
             }));
         }
-        report.design.left.wheel_rate = report.design.right.wheel_rate =
-            report.sweeps[0].rows[report.sweeps[0].rows.size() / 2].left.wheel_rate;
-        const double height = center[2] - (left.center[2] - loaded);
-        add_anti_figures(shares[axle.left].brake + shares[axle.right].brake,
-                         shares[axle.left].drive + shares[axle.right].drive, (front - rear) / height,
-                         left.center[0] > center[0], report);
+        const Sweep& bump = report.sweeps[0];
+        if (bump.design < bump.rows.size()) report.design = bump.rows[bump.design];
+        report.anti_brake = report.anti_drive = none;
+        if (vehicle.trailers.empty()) {  // behind a hitch load transfer has another base
+            const double height = center[2] - (left.center[2] - loaded);
+            add_anti_figures(shares[axle.left].brake + shares[axle.right].brake,
+                             shares[axle.left].drive + shares[axle.right].drive, (front - rear) / height,
+                             left.center[0] > center[0], report);
+        }
         out.push_back(report);
     }
     return out;

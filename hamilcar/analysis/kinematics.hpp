@@ -33,14 +33,15 @@ struct AxleFigures {
 struct Sweep {
     std::string name;  // "bump", "roll", "steer"
     std::vector<AxleFigures> rows;
-    std::string ended;  // empty, or why it ends before the range was through
+    std::size_t design = 0;  // the row at design, where there are rows
+    std::string ended;       // empty, or why it ends before the range was through
 };
 
 struct AxleReport {
     std::string name;
     AxleFigures design;
     std::vector<Sweep> sweeps;
-    double anti_brake;  // anti-dive of a front axle, anti-lift of a rear one [percent of full]
+    double anti_brake;  // NaN with a trailer; anti-dive of a front axle, anti-lift of a rear one [percent of full]
     double anti_drive;  // anti-lift of a front axle, anti-squat of a rear one [percent of full]
 };
 
@@ -50,7 +51,7 @@ struct SweepRange {
     int steps = 40;        // from end to end
 };
 
-// Every axle of the vehicle that has two wheels.
+// Every axle of the vehicle that has two wheels. Throws std::domain_error where the vehicle does not assemble at design.
 std::vector<AxleReport> kinematics(const VehicleDescription& vehicle, const SweepRange& range);
 
 }  // namespace hamilcar

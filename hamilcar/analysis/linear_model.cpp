@@ -1,16 +1,20 @@
 #include "hamilcar/analysis/linear_model.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <cmath>
 #include <complex>
 
+#include "hamilcar/analysis/loops.hpp"
 #include "hamilcar/block/equilibrium.hpp"
 #include "hamilcar/block/initial_process.hpp"
-#include "hamilcar/math/convert.hpp"
 
 namespace hamilcar {
 
 namespace {
+
+constexpr double steady_accuracy = 1e-9;  // of z', per weight where forces are meant, and of what is asked for
 
 // The linear damper with the mean of the slopes on both sides of rest.
 DamperDescription mean_about_rest(const DamperDescription& d) {
@@ -46,13 +50,15 @@ OperatingPoint Linearizer::at_rest() const {
     out.state = design_state(model_, Vec3<double>::Zero(), Mat3<double>::Identity());
     const AssemblyResult assembly = assemble(model_, out.input.rack, out.state);
     if (!assembly.assembled) {
-        out.problem = "the linkages do not assemble";
+        out.problem = assembly_problem(vehicle_, model_, assembly.worst);
         return out;
     }
     const EquilibriumResult settled = settle(model_, out.input, out.state);
     out.found = settled.found;
     out.residual = settled.residual;
-    if (!settled.found) out.problem = "the vehicle does not settle on the road";
+    if (!settled.found)
+        out.problem =
+            fmt::format("the vehicle does not settle on the road: {:.3g} N or N m stay unbalanced", settled.residual);
     set_velocities(model_, out.input, Spatial<double>::Zero(), out.state);
     const std::vector<double> z = reduced_from(reduced_, out.state);
     out.z = Eigen::Map<const Eigen::VectorXd>(z.data(), static_cast<Eigen::Index>(z.size()));
@@ -64,7 +70,8 @@ namespace {
 // What is left of z' = 0, the speed and the lateral acceleration; forces and moments per weight, so that each counts alike.
 Eigen::VectorXd left_over(const LinearModel& m, const Operation& wanted, double weight) {
     Eigen::VectorXd r(m.rate.size() + 2);
-    r << m.rate, m.output[0] - wanted.speed, m.output[0] * m.output[2] - wanted.lateral_acceleration;
+    r << m.rate, m.output[output_speed] - wanted.speed,
+        m.output[output_speed] * m.output[output_yaw_rate] - wanted.lateral_acceleration;
     for (std::size_t i = 0; i < m.states.size(); ++i) {
         if (m.states[i].find("momentum") != std::string::npos) r[static_cast<Eigen::Index>(i)] /= weight;
     }
@@ -79,10 +86,14 @@ double Linearizer::improve(OperatingPoint& at) const {
     const LinearModel m = linearize(at);
     const Eigen::Index n = m.rate.size();
     Eigen::MatrixXd jacobian(n + 2, n + 2);
-    jacobian << m.A, m.B.col(rack), m.B.col(drive_torque), m.C.row(0), m.D(0, rack), m.D(0, drive_torque),
-        m.output[0] * m.C.row(2) + m.output[2] * m.C.row(0), m.output[0] * m.D(2, rack),
-        m.output[0] * m.D(2, drive_torque);
+    const auto C = [&](LinearOutput output) { return m.C.row(output); };
+    const double speed = m.output[output_speed], yaw_rate = m.output[output_yaw_rate];
+    jacobian << m.A, m.B.col(rack), m.B.col(drive_torque),  //
+        C(output_speed), m.D(output_speed, rack), m.D(output_speed, drive_torque),
+        speed * C(output_yaw_rate) + yaw_rate * C(output_speed), speed * m.D(output_yaw_rate, rack),
+        speed * m.D(output_yaw_rate, drive_torque);
     const Eigen::VectorXd r = left_over(m, at.operation, weight);
+    if (r.norm() < steady_accuracy) return r.norm();
     Eigen::VectorXd unscaled = r;
     unscaled.head(n) = m.rate;
     const Eigen::VectorXd step = jacobian.partialPivLu().solve(unscaled);
@@ -109,25 +120,38 @@ OperatingPoint Linearizer::operating_point(const Operation& operation) const {
     set_velocities(model_, at.input, spatial<double>({operation.speed, 0, 0}, Vec3<double>::Zero()), at.state);
     const std::vector<double> z = reduced_from(reduced_, at.state);
     at.z = Eigen::Map<const Eigen::VectorXd>(z.data(), static_cast<Eigen::Index>(z.size()));
+    const LinearModel straight = linearize(at);
+    if (straight.B.col(drive_torque).isZero())
+        at.found = false, at.problem = "no axle is driven: nothing keeps the speed";
+    if (straight.B.col(rack).isZero()) at.found = false, at.problem = "no axle is steered: nothing keeps the course";
+    if (!at.found) return at;
     constexpr double lead = 1.0;  // [m/s^2] of lateral acceleration at a time
     const int stages = 1 + static_cast<int>(std::ceil(std::abs(operation.lateral_acceleration) / lead));
     for (int stage = 0; stage < stages; ++stage) {
         at.operation.lateral_acceleration = stages == 1 ? 0 : operation.lateral_acceleration * stage / (stages - 1);
         constexpr int most = 30;
-        constexpr double accuracy = 1e-9;
         double left = 1;
         at.found = false;
-        for (int i = 0; i < most && left > 0; ++i) {
+        for (int i = 0; i < most && left > 0 && !at.found; ++i) {
             left = improve(at);
-            at.found = at.found || (left >= 0 && left < accuracy);  // once there, round-off may leave nothing to gain
+            at.found =
+                at.found || (left >= 0 && left < steady_accuracy);  // once there, round-off may leave nothing to gain
         }
         if (!at.found) {
-            at.problem = "no steady motion found at a lateral acceleration of " +
-                         std::to_string(at.operation.lateral_acceleration) + " m/s^2: it may be beyond the tires";
+            at.problem = fmt::format(
+                "no steady motion found at a lateral acceleration of {:.2f} m/s^2: it may be beyond the tires, or a "
+                "wheel lifts",
+                at.operation.lateral_acceleration);
             break;
         }
     }
     at.operation = operation;
+    const double travel = vehicle_.steering.rack_travel, displacement = at.input.rack.displacement;
+    if (at.found && travel > 0 && std::abs(displacement) > travel) {
+        at.found = false;
+        at.problem = fmt::format("the rack would stand at {:.1f} mm, beyond its travel of {:.1f} mm",
+                                 1e3 * displacement, 1e3 * travel);
+    }
     at.state = state_of<double>(model_, reduced_, at.z.data(), at.state, at.input.rack);
     return at;
 }

@@ -32,6 +32,18 @@ struct OperatingPoint {
 // gravity.
 enum LinearInput { rack, rack_rate, drive_torque, brake, gravity, linear_input_count };
 
+// The first rows of C and D, then every wheel's travel, then every wheel's load.
+enum LinearOutput {
+    output_speed,
+    output_lateral_velocity,
+    output_yaw_rate,
+    output_lateral_acceleration,
+    output_seat_velocity,
+    output_roll,
+    output_pitch,
+    first_wheel_output
+};
+
 struct LinearModel {
     Eigen::MatrixXd A, B, C, D;
     Eigen::VectorXd rate, output;  // z' and y at the operating point

@@ -38,7 +38,7 @@ void name_outputs(const VehicleDescription& d, LinearModel& model) {
     model.output_units = {"m/s", "m/s", "rad/s", "m/s^2", "m/s", "rad", "rad"};
     for (const std::string& name : wheel_names(d)) model.outputs.push_back(name + ".wheel.travel");
     for (const std::string& name : wheel_names(d)) model.outputs.push_back(name + ".tire.vertical_force");
-    model.output_units.resize(7 + wheel_names(d).size(), "m");
+    model.output_units.resize(first_wheel_output + wheel_names(d).size(), "m");
     model.output_units.resize(model.outputs.size(), "N");
 }
 

@@ -17,16 +17,17 @@ constexpr double standstill = 1e-5;  // an eigenvalue below it is zero but for r
 struct WheelPlace {
     std::string name, axle;  // "rear_left", "rear"
     double x, y;             // [m]
+    std::size_t unit;
 };
 
 std::vector<WheelPlace> wheel_places(const VehicleDescription& d) {
     std::vector<WheelPlace> out;
-    const auto add = [&](const std::string& name, const Point& center) {
-        out.push_back({name, name.substr(0, name.rfind('_')), center[0], center[1]});
+    const auto add = [&](const std::string& name, const Point& center, std::size_t unit) {
+        out.push_back({name, name.substr(0, name.rfind('_')), center[0], center[1], unit});
     };
-    for (const CornerDescription& corner : d.corners) add(corner.name, corner.wheel.center);
+    for (const CornerDescription& corner : d.corners) add(corner.name, corner.wheel.center, 0);
     for (const ComposedSpokeDescription& spoke : d.composed) {
-        for (const ComposedWheelDescription& wheel : spoke.wheels) add(wheel.name, wheel.wheel.center);
+        for (const ComposedWheelDescription& wheel : spoke.wheels) add(wheel.name, wheel.wheel.center, spoke.unit);
     }
     return out;
 }
@@ -58,6 +59,7 @@ std::vector<NamedMotion> motions(const LinearModel& m, const VehicleDescription&
     const std::vector<WheelPlace> wheels = wheel_places(d);
     double front = -1e9, rear = 1e9, half_track = 0;
     for (const WheelPlace& wheel : wheels) {
+        if (wheel.unit != 0) continue;
         front = std::max(front, wheel.x), rear = std::min(rear, wheel.x);
         half_track = std::max(half_track, std::abs(wheel.y));
     }
@@ -73,17 +75,30 @@ std::vector<NamedMotion> motions(const LinearModel& m, const VehicleDescription&
     const std::complex<double> s = std::abs(eigenvalue) > 1e-3 ? eigenvalue : std::complex<double>(1e-3);
     // Sideways at the road: the center of mass, from which the output comes, also moves by roll.
     const Point& mass = d.chassis.center_of_mass;
-    const std::complex<double> sideways = (y[1] + y[2] * (middle - mass[0])) / s + state("roll") * mass[2];
+    const std::complex<double> sideways =
+        (y[output_lateral_velocity] + y[output_yaw_rate] * (middle - mass[0])) / s + state("roll") * mass[2];
     std::vector<NamedMotion> out{{"heave", std::abs(heave)},
                                  {"pitch", std::abs(state("pitch")) * half_base},
                                  {"roll", std::abs(state("roll")) * half_track},
                                  {"sideslip", std::abs(sideways)},
-                                 {"yaw", std::abs(y[2]) * half_base / rate},
-                                 {"speed", std::abs(y[0]) / rate}};
-    std::vector<std::complex<double>> lift;  // over the road: of the body there, and of the wheel against it
+                                 {"yaw", std::abs(y[output_yaw_rate]) * half_base / rate},
+                                 {"speed", std::abs(y[output_speed]) / rate}};
+    // Over the road: of the unit's body there, and of the wheel against it.
+    struct Body {
+        std::complex<double> height, roll, pitch;  // at the frame's origin
+    };
+    std::vector<Body> bodies{{state("height"), state("roll"), state("pitch")}};
+    for (const TrailerDescription& trailer : d.trailers) {
+        const Body& tow = bodies[trailer.tow];
+        const std::complex<double> roll = tow.roll + state(trailer.name + ".hitch.roll"),
+                                   pitch = tow.pitch + state(trailer.name + ".hitch.pitch");
+        bodies.push_back({tow.height + (pitch - tow.pitch) * trailer.hitch_point[0], roll, pitch});
+    }
+    std::vector<std::complex<double>> lift;
     for (std::size_t i = 0; i < wheels.size(); ++i) {
-        lift.push_back(state("height") - state("pitch") * wheels[i].x + state("roll") * wheels[i].y +
-                       y[7 + static_cast<Eigen::Index>(i)]);
+        const Body& body = bodies[wheels[i].unit];
+        lift.push_back(body.height - body.pitch * wheels[i].x + body.roll * wheels[i].y +
+                       y[first_wheel_output + static_cast<Eigen::Index>(i)]);
     }
     add_axle_motions(wheels, lift, out);
     for (const TrailerDescription& trailer : d.trailers) {
@@ -122,7 +137,7 @@ std::string name_of(const LinearModel& m, const Eigen::VectorXcd& v, const std::
 
 std::vector<Mode> modes(const LinearModel& model, const VehicleDescription& vehicle) {
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(model.A);
-    const double speed = model.output[0];
+    const double speed = model.output[output_speed];
     std::vector<Mode> out;
     for (Eigen::Index i = 0; i < model.A.rows(); ++i) {
         const std::complex<double> s = solver.eigenvalues()[i];

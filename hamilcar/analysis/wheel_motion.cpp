@@ -6,7 +6,7 @@ namespace {
 
 template <class Line>
 LineMotion line_motion(const Line& line, int n, double force) {
-    LineMotion out{line.length, {}, force};
+    LineMotion out{{}, line.length, {}, force};
     for (int j = 0; j < n; ++j) out.gradient.push_back(line.gradient[static_cast<std::size_t>(j)]);
     return out;
 }
@@ -73,7 +73,9 @@ std::vector<WheelMotion> wheel_motions(const VehicleDescription& description, co
     std::vector<WheelMotion> out;
     for (int i = 0; i < model.vehicle.spoke_count(); ++i) {
         out.push_back(corner_motion(model, state, motion, i));
-        out.back().name = description.corners[static_cast<std::size_t>(i)].name;
+        WheelMotion& wheel = out.back();
+        wheel.name = description.corners[static_cast<std::size_t>(i)].name;
+        wheel.springs[0].name = wheel.dampers[0].name = wheel.name;
     }
     for (std::size_t s = 0; s < model.vehicle.composed.size(); ++s) {
         const ComposedSpoke<double>& spoke = model.vehicle.composed[s];
@@ -82,7 +84,12 @@ std::vector<WheelMotion> wheel_motions(const VehicleDescription& description, co
         spoke.linkage.find_position(view.independent, view.dependent, motion, 0.0, at);
         for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
             out.push_back(composed_motion(spoke, at, view, i));
-            out.back().name = description.composed[s].wheels[i].name;
+            WheelMotion& wheel = out.back();
+            wheel.name = description.composed[s].wheels[i].name;
+            for (std::size_t k = 0; k < wheel.springs.size(); ++k)
+                wheel.springs[k].name = description.composed[s].springs[k].name;
+            for (std::size_t k = 0; k < wheel.dampers.size(); ++k)
+                wheel.dampers[k].name = description.composed[s].dampers[k].name;
         }
     }
     return out;

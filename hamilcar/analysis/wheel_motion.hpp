@@ -10,6 +10,7 @@ namespace hamilcar {
 
 // A length that the independent coordinates change: a spring's or a damper's.
 struct LineMotion {
+    std::string name;              // of the wheel it belongs to
     double length;                 // [m]
     std::vector<double> gradient;  // per independent coordinate of the spoke
     double force;                  // of a spring at this length [N]; 0 of a damper

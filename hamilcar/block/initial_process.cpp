@@ -9,10 +9,13 @@ namespace hamilcar {
 
 namespace {
 
-// |det| over the product of the rows' norms.
-double mobility_of(const Eigen::MatrixXd& Phi_w, double determinant) {
-    const double mobility = std::abs(determinant) / Phi_w.rowwise().norm().prod();
-    return std::isfinite(mobility) ? mobility : 0;
+// |det| over the product of the rows' norms, and the row that depends most on the others.
+void inspect_mobility(const Eigen::MatrixXd& Phi_w, double determinant, LoopReport& report) {
+    report.mobility = std::abs(determinant) / Phi_w.rowwise().norm().prod();
+    if (!std::isfinite(report.mobility)) report.mobility = 0;
+    if (!Phi_w.allFinite()) return;
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(Phi_w, Eigen::ComputeThinU);
+    svd.matrixU().col(Phi_w.cols() - 1).cwiseAbs().maxCoeff(&report.locking);
 }
 
 LoopReport inspect_composed(const Model<double>& model, const RackMotion<double>& rack, const State<double>& state,
@@ -28,8 +31,7 @@ LoopReport inspect_composed(const Model<double>& model, const RackMotion<double>
     }
     const int n = spoke.linkage.nW();
     if (n > 0) {
-        Eigen::MatrixXd Phi_w = at.Phi_w_inverse.topLeftCorner(n, n).inverse();
-        report.mobility = mobility_of(Phi_w, at.determinant);
+        inspect_mobility(at.Phi_w_inverse.topLeftCorner(n, n).inverse(), at.determinant, report);
     }
     return report;
 }
@@ -53,7 +55,13 @@ LoopReport inspect_loops(const Model<double>& model, const RackMotion<double>& r
             });
             if constexpr (Linkage::nW > 0) {
                 const auto Phi_w = inverse<double>(at.Phi_w_inverse).matrix;
-                report.mobility = mobility_of(Phi_w, at.determinant);
+                inspect_mobility(Phi_w, at.determinant, report);
+                int number = 0, of_row = report.locking;
+                suspension.linkage.visit_cuts([&](const auto& joint, int row, int) {
+                    if (of_row >= row && of_row < row + std::decay_t<decltype(joint)>::equations)
+                        report.locking = number;
+                    ++number;
+                });
             }
         },
         model.vehicle.spokes[spoke].suspension);

@@ -13,6 +13,7 @@ struct LoopReport {
     int spoke = 0;        // corners first, then composed suspensions
     int cut = -1;         // the worst cut joint; -1 without loops
     double opening = 0;   // of that joint [m]
+    int locking = -1;     // the cut joint that says most nearly what others say already
     double mobility = 1;  // |det Phi_w| over the product of its row norms: 0 where the linkage locks
 };
 LoopReport inspect_loops(const Model<double>& model, const RackMotion<double>& rack, const State<double>& state,

@@ -10,10 +10,7 @@ std::vector<RoadWheel> road_wheels(const Model<double>& model, const Momenta<dou
         const SpokeState<double> at = state.spoke(i);
         out.push_back(
             {0,
-             &spoke.wheel,
              &spoke.brake,
-             spoke.drive_share,
-             &at.spin_momentum,
              &at.brake_windup,
              {{&spoke.tire, &momenta.spokes[static_cast<std::size_t>(i)].forces, &at.deflection_x, &at.deflection_y}}});
     }
@@ -22,8 +19,7 @@ std::vector<RoadWheel> road_wheels(const Model<double>& model, const Momenta<dou
         for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
             const ComposedWheel<double>& wheel = spoke.wheels[i];
             const auto at = spoke.wheel_state(static_cast<int>(i), state.values.data());
-            RoadWheel& one = out.emplace_back(RoadWheel{
-                spoke.unit, &wheel.wheel, &wheel.brake, wheel.drive_share, &at.spin_momentum, &at.brake_windup, {}});
+            RoadWheel& one = out.emplace_back(RoadWheel{spoke.unit, &wheel.brake, &at.brake_windup, {}});
             for (int k = 0; k < wheel.tires; ++k) {
                 one.tires.push_back({&wheel.tire,
                                      &momenta.composed.spokes[s].wheels[i].tires[static_cast<std::size_t>(k)],

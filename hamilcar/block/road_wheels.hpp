@@ -16,10 +16,8 @@ struct RoadTire {
 
 struct RoadWheel {
     int unit;
-    const Wheel<double>* wheel;
     const Brake<double>* brake;
-    double drive_share;
-    double *spin_momentum, *windup;  // in the state
+    double* windup;  // in the state
     std::vector<RoadTire> tires;
 };
 

@@ -38,7 +38,8 @@ Lines along_joint(const TableReader& table, const AxleSides& sides) {
         return (right ? of.right : of.left).linkage.joints[number - 1];
     };
     const TreeJointDescription &left = joint(sides, false, part.left), &right = joint(sides, true, part.right);
-    table.expect(freedoms(left.kind) == 1, "along", "a part on a revolute or prismatic joint");
+    table.expect(freedoms(left.kind) == 1 && right.kind == left.kind, "along",
+                 "a part on a revolute or prismatic joint, on both sides");
     Lines out;
     out.left.coordinate = frame_of_part(sides.left.linkage, part.left) - 1;
     out.right.coordinate = frame_of_part(sides.right.linkage, part.right) - 1;
@@ -102,6 +103,14 @@ DamperDescription read_any_damper(const TableReader& table, bool turns) {
     return {{-1, 1}, {-damping, damping}};
 }
 
+// Bump and rebound trade places.
+void turn_over(DamperDescription& damper) {
+    for (std::vector<double>* list : {&damper.velocity, &damper.force}) {
+        std::ranges::reverse(*list);
+        for (double& number : *list) number = -number;
+    }
+}
+
 }  // namespace
 
 void add_springs_and_dampers(const TableReader& axle, const AxleSides& sides, ComposedSpokeDescription& left,
@@ -120,8 +129,9 @@ void add_springs_and_dampers(const TableReader& axle, const AxleSides& sides, Co
     number = 0;
     for (const TableReader& table : elements(axle, "damper", "further_damper")) {
         const Lines lines = read_lines(table, sides);
-        const DamperDescription damper = read_any_damper(table, lines.turns);
+        DamperDescription damper = read_any_damper(table, lines.turns);
         left.dampers.push_back({numbered(name + "_left", number), lines.left, damper});
+        if (lines.sense < 0) turn_over(damper);
         right_dampers.push_back({numbered(name + "_right", number++), lines.right, damper});
     }
     right.springs.insert(right.springs.end(), right_springs.begin(), right_springs.end());

@@ -1,6 +1,6 @@
 #include "hamilcar/io/composed_axle_file.hpp"
 
-#include <algorithm>
+#include <cmath>
 
 #include "hamilcar/io/axial_file.hpp"
 #include "hamilcar/io/body_file.hpp"
@@ -8,6 +8,7 @@
 #include "hamilcar/io/mirror.hpp"
 #include "hamilcar/linkage/compose.hpp"
 #include "hamilcar/suspension/recipe.hpp"
+#include "hamilcar/vehicle/composed.hpp"
 
 namespace hamilcar::io {
 
@@ -52,12 +53,20 @@ Hardpoints read_hardpoints(const TableReader& axle, const Recipe& recipe, bool o
     return points;
 }
 
-// Two ends of a rod or an axis must not coincide; the reader knows which key to blame.
+bool is_finite(const Point& p) {
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+// Rods have two ends and axes two bushes, and the wheels move with the linkage alone.
 void check_composition(const TableReader& axle, const Composition& composition, const WheelDescription& wheel) {
-    const TableReader points = axle.table("hardpoints");
+    for (const TreeJointDescription& joint : composition.linkage.joints) {
+        axle.expect(is_finite(joint.axis) && is_finite(joint.second_axis), "hardpoints",
+                    "two points apart for the axis of '" + joint.part + "'");
+    }
     for (const CutJointDescription& cut : composition.linkage.cuts) {
         const bool rod = cut.kind == CutJoint::distance || cut.kind == CutJoint::revolute_spherical;
         axle.expect(!rod || cut.tip != cut.foot, "hardpoints", "two ends apart for '" + cut.name + "'");
+        axle.expect(is_finite(cut.axis), "hardpoints", "two points apart for the axis of '" + cut.name + "'");
     }
     std::vector<CarriedPoint> wheels;
     for (std::size_t i = 0; i < composition.carriers.size(); ++i) {
@@ -135,6 +144,20 @@ void add_pair_of_spokes(const TableReader& axle, const NamedTires& tires, const 
     vehicle.composed.push_back(spoke), vehicle.composed.push_back(other);
 }
 
+// What fits into one suspension; vehicle/composed.hpp has the places.
+void check_sizes(const TableReader& axle, const ComposedSpokeDescription& spoke) {
+    const auto at_most = [](const char* what, int most) {
+        return std::to_string(most) + " " + what +
+               " at most in one suspension, both sides of one that carries two wheels";
+    };
+    axle.expect(spoke.springs.size() <= std::size_t{max_axial_elements}, "further_spring",
+                at_most("springs", max_axial_elements));
+    axle.expect(spoke.dampers.size() <= std::size_t{max_axial_elements}, "further_damper",
+                at_most("dampers", max_axial_elements));
+    axle.expect(spoke.bodies.size() <= std::size_t{max_bodies}, "suspension",
+                at_most("bodies with a mass", max_bodies));
+}
+
 }  // namespace
 
 std::vector<std::string_view> suspension_keywords() {
@@ -160,7 +183,7 @@ void read_composed_axle(const TableReader& axle, const NamedTires& tires, std::s
         if (!recipe->two_wheels) right = recipe->compose(points.mirrored_side());
         if (!axle.is_recording()) check_composition(axle, left, read_wheel(axle.table("wheel")));
     } else {
-        left = read_linkage(axle, read_wheel(axle.table("wheel")));
+        left = read_linkage(axle, read_wheel(axle.table("wheel")), unit > 0);
         if (left.carriers.size() == 1) right = mirrored_composition(left);
     }
     const std::string_view usual_part = recipe ? recipe->spring_part : left.parts[0].name;
@@ -172,6 +195,7 @@ void read_composed_axle(const TableReader& axle, const NamedTires& tires, std::s
     } else {
         add_pair_of_spokes(axle, tires, left, right, usual_part, named, vehicle);
     }
+    if (!axle.is_recording()) check_sizes(axle, vehicle.composed.back());
     if (const auto bar = axle.optional_table("anti_roll_bar")) {
         vehicle.composed_bars.push_back({first_wheel, first_wheel + 1, bar->number("rate_N_per_m", not_negative)});
     }

@@ -31,9 +31,10 @@ TreeJointDescription read_joint(const TableReader& table, const LinkageDescripti
     joint.kind = static_cast<TreeJoint>(table.one_of("kind", kinds));
     joint.part = table.text("part");
     const auto names = part_names(before, true);
-    constexpr std::string_view taken[] = {"name",   "suspension", "tire",      "hardpoints",   "wheel",
-                                          "spring", "damper",     "bump_stop", "rebound_stop", "anti_roll_bar",
-                                          "brake",  "joint",      "cut",       "rocker",       "twist_spring"};
+    constexpr std::string_view taken[] = {
+        "name",   "suspension", "tire",           "hardpoints",     "wheel",       "spring",
+        "damper", "bump_stop",  "rebound_stop",   "anti_roll_bar",  "brake",       "joint",
+        "cut",    "rocker",     "further_spring", "further_damper", "twist_spring"};
     table.expect(std::ranges::find(taken, joint.part) == std::end(taken), "part",
                  "a name that no other table of an axle has");
     table.expect(std::ranges::find(names, joint.part) == names.end(), "part", "a name that no other part has");
@@ -45,7 +46,7 @@ TreeJointDescription read_joint(const TableReader& table, const LinkageDescripti
     return joint;
 }
 
-CutJointDescription read_cut(const TableReader& table, const LinkageDescription& tree) {
+CutJointDescription read_cut(const TableReader& table, const LinkageDescription& tree, bool on_trailer) {
     constexpr std::string_view kinds[] = {"distance", "plane", "line", "revolute_spherical", "spherical"};
     CutJointDescription cut;
     cut.kind = static_cast<CutJoint>(table.one_of("kind", kinds));
@@ -59,7 +60,10 @@ CutJointDescription read_cut(const TableReader& table, const LinkageDescription&
         if (table.has("length_m")) cut.length = table.number("length_m", positive);
     }
     if (cut.kind != CutJoint::distance && cut.kind != CutJoint::spherical) cut.axis = table.direction("axis");
-    if (table.has("drive")) cut.drive = table.direction("drive");
+    if (table.has("drive")) {
+        cut.drive = table.direction("drive");
+        table.expect(!on_trailer, "drive", "no such key on a trailer: the driver's rack does not reach it");
+    }
     return cut;
 }
 
@@ -77,11 +81,12 @@ void choose_independent(const TableReader& axle, const std::vector<CarriedPoint>
 
 }  // namespace
 
-Composition read_linkage(const TableReader& axle, const WheelDescription& wheel) {
+Composition read_linkage(const TableReader& axle, const WheelDescription& wheel, bool on_trailer) {
     Composition out;
     for (const TableReader& joint : axle.tables("joint")) out.linkage.joints.push_back(read_joint(joint, out.linkage));
     if (axle.has("cut")) {
-        for (const TableReader& cut : axle.tables("cut")) out.linkage.cuts.push_back(read_cut(cut, out.linkage));
+        for (const TableReader& cut : axle.tables("cut"))
+            out.linkage.cuts.push_back(read_cut(cut, out.linkage, on_trailer));
     }
     const std::size_t carrier = part(axle, "carrier_part", out.linkage);
     out.carriers = {carrier};
@@ -96,7 +101,9 @@ Composition read_linkage(const TableReader& axle, const WheelDescription& wheel)
     out.parts = {{"carrier", carrier, right, true, true}};
     for (std::size_t i = 0; i < out.linkage.joints.size(); ++i) {
         const std::string& name = out.linkage.joints[i].part;
-        if (name != "carrier") out.parts.push_back({name, i + 1, i + 1, i + 1 != carrier && i + 1 != right, false});
+        const bool carries = i + 1 == carrier || i + 1 == right;
+        axle.expect(name != "carrier" || carries, "carrier_part", "the part that is called 'carrier'");
+        if (name != "carrier") out.parts.push_back({name, i + 1, i + 1, !carries, false});
     }
     if (!axle.is_recording()) choose_independent(axle, wheels, out.linkage);
     return out;

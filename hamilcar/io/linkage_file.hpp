@@ -9,7 +9,7 @@ namespace hamilcar::io {
 
 // [[axle.joint]], [[axle.cut]], `carrier_part` and, for an axle with two wheels, `right_carrier_part`. Checked: every part
 // is carried, and the wheels have one freedom each.
-Composition read_linkage(const TableReader& axle, const WheelDescription& wheel);
+Composition read_linkage(const TableReader& axle, const WheelDescription& wheel, bool on_trailer);
 
 // The right side of a linkage with one wheel.
 Composition mirrored_composition(Composition left);

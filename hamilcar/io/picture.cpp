@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
@@ -94,10 +95,18 @@ void write_chart(const std::string& path, const Chart& chart) {
 }
 
 void write_page(const std::string& path, const std::string& title, const std::vector<Chart>& charts, int columns) {
-    const int rows = (static_cast<int>(charts.size()) + columns - 1) / columns;
+    std::vector<Chart> drawn;  // gnuplot has no picture of nothing
+    for (Chart chart : charts) {
+        std::erase_if(chart.curves, [](const Curve& curve) {
+            return std::ranges::none_of(curve.y, [](double y) { return std::isfinite(y); });
+        });
+        if (!chart.curves.empty()) drawn.push_back(chart);
+    }
+    if (drawn.empty()) return;
+    const int rows = (static_cast<int>(drawn.size()) + columns - 1) / columns;
     std::string text = preamble(path, 430 * columns, 300 * rows + 40, 11);
     text += fmt::format("set multiplot layout {},{} title {} font ',18'\n", rows, columns, quoted(title));
-    for (const Chart& chart : charts) text += commands(chart);
+    for (const Chart& chart : drawn) text += commands(chart);
     draw(path, text + "unset multiplot\n");
 }
 

@@ -23,7 +23,7 @@ struct Chart {
 // Throws Error(input_output) if gnuplot is missing or the file cannot be written.
 void write_chart(const std::string& path, const Chart& chart);
 
-// Several charts on one page, row by row.
+// Several charts on one page, row by row; those without a finite value are left out, and so is a page without charts.
 void write_page(const std::string& path, const std::string& title, const std::vector<Chart>& charts, int columns);
 
 }  // namespace hamilcar::io

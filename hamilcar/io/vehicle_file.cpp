@@ -11,6 +11,8 @@
 #include "hamilcar/io/mirror.hpp"
 #include "hamilcar/io/number_text.hpp"
 #include "hamilcar/suspension/compose_corner.hpp"
+#include "hamilcar/vehicle/composed.hpp"
+#include "hamilcar/vehicle/layout.hpp"
 
 namespace hamilcar::io {
 
@@ -122,6 +124,21 @@ void read_trailer(const TableReader& table, const NamedTires& tires, std::vector
     read_axles(table, tires, vehicle.trailers.size(), names, vehicle);
 }
 
+// How many numbers of a state composed suspensions and hitches take.
+int composed_numbers(const VehicleDescription& vehicle) {
+    int count = 0;
+    for (const ComposedSpokeDescription& spoke : vehicle.composed) {
+        count += 2 * spoke.linkage.coordinate_count() - spoke.linkage.equation_count();
+        for (const ComposedWheelDescription& wheel : spoke.wheels) {
+            count += ComposedWheel<double>::size(wheel.dual_spacing > 0 ? 2 : 1);
+        }
+    }
+    for (const TrailerDescription& trailer : vehicle.trailers) {
+        count += 2 * static_cast<int>(hitch_angles(trailer.hitch).size());
+    }
+    return count;
+}
+
 double driven_share(const VehicleDescription& vehicle) {
     double driven = 0;
     for (const CornerDescription& corner : vehicle.corners) driven += corner.drive_share;
@@ -159,6 +176,9 @@ VehicleDescription read_vehicle(const TableReader& file) {
         file.expect(vehicle.trailers.size() <= max_trailers, "trailer",
                     std::to_string(max_trailers) + " trailers at most");
     }
+    file.expect(
+        composed_numbers(vehicle) <= composed_capacity, "axle",
+        std::to_string(composed_capacity) + " coordinates, momenta and wheel states of composed suspensions at most");
     const double driven = driven_share(vehicle);
     file.tables("axle").back().expect(
         driven == 0 || std::abs(driven - 1) < 1e-9, "drive_share",

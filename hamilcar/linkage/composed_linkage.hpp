@@ -209,6 +209,7 @@ struct ComposedLinkage {
     ComposedLine<T> line(const ForceLine<T>& where, const ComposedPosition<T>& at, const T* V, const T* W) const {
         ComposedLine<T> out;
         if (where.coordinate >= 0) {
+            out.length = T(0);
             for (int i = 0; i < nV(); ++i) out.length = independent[i] == where.coordinate ? V[i] : out.length;
             for (int i = 0; i < nW(); ++i) out.length = dependent[i] == where.coordinate ? W[i] : out.length;
             out.gradient = at.follow[where.coordinate];

@@ -7,6 +7,7 @@
 
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/spelling.hpp"
+#include "hamilcar/run/suspension_channels.hpp"
 
 namespace hamilcar {
 
@@ -108,163 +109,6 @@ void add_car_channels(std::vector<Channel>& list) {
         [](const Sample& s) { return s.energy.balance(); });
 }
 
-double camber(const Vec3<double>& axis, bool left) {
-    return degree * (left ? -1 : 1) * std::asin(std::clamp(axis[2], -1.0, 1.0));
-}
-
-// How to read one wheel, whatever carries it.
-struct WheelReader {
-    std::string name;
-    bool left;
-    std::function<const WheelForces<double>&(const Sample&)> forces;
-    std::function<Vec3<double>(const Sample&)> axis;  // in the axes of its unit
-};
-
-using Read = std::function<double(const Sample&)>;
-
-void add(std::vector<Channel>& list, const std::string& name, const char* unit, const char* what, Read read,
-         bool standard = false) {
-    list.push_back({{name, unit, what}, std::move(read), standard});
-}
-
-void add_tire_channels(std::vector<Channel>& list, const std::string& name, bool standard,
-                       const std::function<const TireForces<double>&(const Sample&)>& forces) {
-    const auto add_one = [&](const char* what, const char* unit, const char* meaning, auto read, bool usual) {
-        add(
-            list, name + what, unit, meaning, [forces, read](const Sample& s) { return read(forces(s)); }, usual);
-    };
-    using F = TireForces<double>;
-    add_one(
-        ".longitudinal_force", "N", "on the wheel, road axes", [](const F& f) { return f.tire.Fx; }, standard);
-    add_one(
-        ".lateral_force", "N", "on the wheel, road axes", [](const F& f) { return f.tire.Fy; }, standard);
-    add_one(
-        ".vertical_force", "N", "on the wheel, road normal", [](const F& f) { return f.tire.Fz; }, standard);
-    add_one(
-        ".longitudinal_slip_velocity", "m/s", "of the contact", [](const F& f) { return f.contact.v_sx; }, false);
-    add_one(
-        ".lateral_slip_velocity", "m/s", "of the contact", [](const F& f) { return f.contact.v_sy; }, false);
-}
-
-void add_wheel_channels(std::vector<Channel>& list, const WheelReader& wheel) {
-    const std::string& name = wheel.name;
-    const auto add_force = [&](const char* what, const char* unit, const char* meaning, auto read,
-                               bool standard = false) {
-        add(
-            list, wheel.name + what, unit, meaning,
-            [forces = wheel.forces, read](const Sample& s) { return read(forces(s)); }, standard);
-    };
-    using F = WheelForces<double>;
-    add_force(
-        ".wheel.travel", "m", "wheel center against design, up positive", [](const F& f) { return f.travel; }, true);
-    add(list, name + ".wheel.camber", "deg", "top outboard positive, against the chassis",
-        [axis = wheel.axis, left = wheel.left](const Sample& s) { return camber(axis(s), left); });
-    add(list, name + ".wheel.steer", "deg", "to the left positive, toe included, against the chassis",
-        [axis = wheel.axis](const Sample& s) { return degree * std::atan2(-axis(s)[0], axis(s)[1]); });
-    add_force(
-        ".wheel.spin", "rad/s", "against the carrier", [](const F& f) { return f.spin; }, true);
-    add_force(".stop.force", "N", "on the wheel, up positive", [](const F& f) { return f.stop; });
-    add_force(".anti_roll_bar.force", "N", "on the wheel, up positive", [](const F& f) { return f.bar; });
-    add_force(".drive.torque", "N m", "on the wheel", [](const F& f) { return f.drive_torque; });
-    add_force(".brake.torque", "N m", "on the wheel", [](const F& f) { return f.brake_torque; });
-}
-
-void add_corner_channels(std::vector<Channel>& list, const CornerDescription& corner, std::size_t i) {
-    using Forces = SpokeForces<double>;
-    const auto forces = [i](const Sample& s) -> const Forces& { return s.momenta.spokes[i].forces; };
-    const auto axis = [i](const Sample& s) {
-        return visit_spoke(s.model.vehicle, s.velocity, static_cast<int>(i),
-                           [](const auto&, const auto&, const auto& at) { return at.spin_axis; });
-    };
-    add_wheel_channels(list, {corner.name, corner.wheel.center[1] >= 0, forces, axis});
-    add_tire_channels(list, corner.name + ".tire", true, forces);
-    const auto add_force = [&](const char* what, const char* unit, const char* meaning, auto read) {
-        add(list, corner.name + what, unit, meaning, [forces, read](const Sample& s) { return read(forces(s)); });
-    };
-    add_force(".spring.length", "m", "spring or strut", [](const Forces& f) { return f.spring_length; });
-    add_force(".spring.force", "N", "compression positive", [](const Forces& f) { return f.spring; });
-    add_force(".damper.force", "N", "compression positive", [](const Forces& f) { return f.damper; });
-    add_force(".damper.velocity", "m/s", "extension positive", [](const Forces& f) { return f.damper_rate; });
-    add(list, corner.name + ".independent", corner.suspension.index() == 0 ? "m" : "rad",
-        "independent coordinate of the suspension",
-        [i](const Sample& s) { return s.state.spoke(static_cast<int>(i)).independent[0]; });
-}
-
-void add_composed_wheel_channels(std::vector<Channel>& list, const ComposedWheelDescription& wheel, std::size_t spoke,
-                                 std::size_t i) {
-    using Forces = ComposedWheelForces<double>;
-    const auto forces = [spoke, i](const Sample& s) -> const Forces& {
-        return s.momenta.composed.spokes[spoke].wheels[i];
-    };
-    const auto axis = [spoke, i](const Sample& s) { return s.velocity.composed.spokes[spoke].axis[i]; };
-    add_wheel_channels(list, {wheel.name, wheel.wheel.center[1] >= 0, forces, axis});
-    const auto tire = [forces](std::size_t k) {
-        return [forces, k](const Sample& s) -> const TireForces<double>& { return forces(s).tires[k]; };
-    };
-    if (wheel.dual_spacing > 0) {
-        add_tire_channels(list, wheel.name + ".left_tire", true, tire(0));
-        add_tire_channels(list, wheel.name + ".right_tire", true, tire(1));
-    } else {
-        add_tire_channels(list, wheel.name + ".tire", true, tire(0));
-    }
-}
-
-void add_composed_channels(std::vector<Channel>& list, const ComposedSpokeDescription& spoke, std::size_t at) {
-    for (std::size_t i = 0; i < spoke.wheels.size(); ++i) add_composed_wheel_channels(list, spoke.wheels[i], at, i);
-    for (std::size_t i = 0; i < spoke.springs.size(); ++i) {
-        const std::string& name = spoke.springs[i].name;
-        const auto spring = [at, i](const Sample& s) { return s.momenta.composed.spokes[at].springs[i]; };
-        const bool turns = spoke.springs[i].line.coordinate.has_value();
-        add(list, name + ".spring.length", turns ? "rad" : "m", "of the spring",
-            [spring](const Sample& s) { return spring(s).length; });
-        add(list, name + ".spring.force", turns ? "N m" : "N", "compression positive",
-            [spring](const Sample& s) { return spring(s).force; });
-    }
-    for (std::size_t i = 0; i < spoke.dampers.size(); ++i) {
-        const std::string& name = spoke.dampers[i].name;
-        const auto damper = [at, i](const Sample& s) { return s.momenta.composed.spokes[at].dampers[i]; };
-        add(list, name + ".damper.force", "N", "compression positive",
-            [damper](const Sample& s) { return damper(s).force; });
-        add(list, name + ".damper.velocity", "m/s", "extension positive",
-            [damper](const Sample& s) { return damper(s).rate; });
-    }
-    for (int j = 0; j < spoke.linkage.coordinate_count() - spoke.linkage.equation_count(); ++j) {
-        add(list, fmt::format("{}.independent.{}", spoke.name, j + 1), "1", "independent coordinate [m or rad]",
-            [at, j](const Sample& s) {
-                return s.model.vehicle.composed[at].state(s.state.values.data()).independent[j];
-            });
-    }
-}
-
-void add_trailer_channels(std::vector<Channel>& list, const TrailerDescription& trailer, std::size_t i) {
-    const auto angle = [i](int k) {
-        return [i, k](const Sample& s) {
-            return degree * s.state.values[static_cast<std::size_t>(s.model.vehicle.trailers[i].offset + k)];
-        };
-    };
-    const std::vector<std::string> angles = hitch_angles(trailer.hitch);
-    for (std::size_t k = 0; k < angles.size(); ++k) {
-        add(list, trailer.name + ".hitch." + angles[k], "deg", "of the trailer against what pulls it, ISO 8855 sense",
-            angle(static_cast<int>(k)), angles[k] == "yaw");
-    }
-    const char* axes[] = {"x", "y", "z"};
-    for (int axis = 0; axis < 3; ++axis) {
-        add(
-            list, fmt::format("{}.position.{}", trailer.name, axes[axis]), "m",
-            "center of mass of the trailer's chassis, ground axes",
-            [i, axis](const Sample& s) {
-                std::vector<UnitPlace<double>> places{{s.state.position(), s.velocity.R_GC}};
-                for (std::size_t k = 0; k <= i; ++k) {
-                    places.push_back(behind(places[static_cast<std::size_t>(s.model.vehicle.trailers[k].tow)],
-                                            s.velocity.composed.trailers[k].pose));
-                }
-                const Vec3<double>& center = s.model.vehicle.trailers[i].chassis.center;
-                return (places.back().position + places.back().R * center)[axis];
-            },
-            axis < 2);
-    }
-}
-
 bool matches(const std::string& name, const std::string& pattern) {
     if (!pattern.empty() && pattern.back() == '*') return name.starts_with(pattern.substr(0, pattern.size() - 1));
     return name == pattern;
@@ -276,9 +120,7 @@ std::vector<Channel> all_channels(const VehicleDescription& vehicle) {
     std::vector<Channel> list;
     add_chassis_channels(list);
     add_car_channels(list);
-    for (std::size_t i = 0; i < vehicle.corners.size(); ++i) add_corner_channels(list, vehicle.corners[i], i);
-    for (std::size_t i = 0; i < vehicle.composed.size(); ++i) add_composed_channels(list, vehicle.composed[i], i);
-    for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) add_trailer_channels(list, vehicle.trailers[i], i);
+    add_suspension_channels(vehicle, list);
     return list;
 }
 

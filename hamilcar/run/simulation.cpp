@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "hamilcar/analysis/loops.hpp"
 #include "hamilcar/engine/library.hpp"
 #include "hamilcar/integrator/stabilization.hpp"
 #include "hamilcar/io/error.hpp"
@@ -124,7 +125,8 @@ void Simulation::start() {
         rack.displacement = input.rack.displacement * i / lead_in;
         assembly = assemble(model_, rack, state_);
     }
-    if (!assembly.assembled) throw io::Error(io::ExitCode::numerical, assembly_problem(assembly.worst));
+    if (!assembly.assembled)
+        throw io::Error(io::ExitCode::numerical, assembly_problem(vehicle_, model_, assembly.worst));
     if (initial.settle) {
         const EquilibriumResult result = settle(model_, input, state_);
         if (!result.found) {
@@ -185,23 +187,14 @@ std::string Simulation::inspect(const Health<double>& health) const {
     }
     if (locks) {
         return fmt::format("the linkage of {} locks at '{}'{}: it cannot move further this way",
-                           corner_name(worst.spoke), cut_name(worst), travels(worst.spoke));
+                           spoke_name(vehicle_, worst.spoke), cut_name(vehicle_, model_, worst.spoke, worst.locking),
+                           travels(worst.spoke));
     }
     return fmt::format(
         "{} came apart: '{}' stands open by {:.1f} mm{}; the linkage may be past its reach, or try a smaller "
         "step",
-        corner_name(worst.spoke), cut_name(worst), 1e3 * worst.opening, travels(worst.spoke));
-}
-
-std::string Simulation::assembly_problem(const LoopReport& loop) const {
-    if (loop.mobility <= locked_mobility) {
-        return fmt::format(
-            "{}: the linkage is locked: its arms and rods cannot follow the wheel's travel from here "
-            "(mobility {:.1e}, expected above {:.0e}); two of them may share a point or a line",
-            corner_name(loop.spoke), loop.mobility, locked_mobility);
-    }
-    return fmt::format("{}: the hardpoints do not assemble: '{}' misses by {:.3f} mm (expected below {:.0e} mm)",
-                       corner_name(loop.spoke), cut_name(loop), 1e3 * loop.opening, 1e3 * assembly_tolerance);
+        spoke_name(vehicle_, worst.spoke), cut_name(vehicle_, model_, worst.spoke, worst.cut), 1e3 * worst.opening,
+        travels(worst.spoke));
 }
 
 // ", wheel travel +85 mm (rear_left)" of the last good state, or of the wheels of both sides.
@@ -212,7 +205,7 @@ std::string Simulation::travels(int spoke) const {
         const double travel =
             visit_spoke(model_.vehicle, velocity, spoke,
                         [](const auto& own, const auto&, const auto& at) { return wheel_travel(own, at); });
-        return fmt::format(", wheel travel {:+.0f} mm ({})", 1e3 * travel, corner_name(spoke));
+        return fmt::format(", wheel travel {:+.0f} mm ({})", 1e3 * travel, spoke_name(vehicle_, spoke));
     }
     const auto i = static_cast<std::size_t>(spoke - corners);
     const ComposedSpoke<double>& composed = model_.vehicle.composed[i];
@@ -222,25 +215,6 @@ std::string Simulation::travels(int spoke) const {
         text += fmt::format(", wheel travel {:+.0f} mm ({})", 1e3 * travel, vehicle_.composed[i].wheels[w].name);
     }
     return text;
-}
-
-std::string Simulation::corner_name(int spoke) const {
-    const auto i = static_cast<std::size_t>(spoke);
-    return i < vehicle_.corners.size() ? vehicle_.corners[i].name : vehicle_.composed[i - vehicle_.corners.size()].name;
-}
-
-std::string Simulation::cut_name(const LoopReport& loop) const {
-    if (loop.cut < 0) return "no joint";
-    const auto i = static_cast<std::size_t>(loop.spoke);
-    if (i >= vehicle_.corners.size()) {
-        int equation = loop.cut;
-        for (const CutJointDescription& cut : vehicle_.composed[i - vehicle_.corners.size()].linkage.cuts) {
-            if (equation < equations(cut.kind)) return cut.name;
-            equation -= equations(cut.kind);
-        }
-    }
-    return std::visit([&](const auto& s) { return std::string(s.cut_names[static_cast<std::size_t>(loop.cut)]); },
-                      model_.vehicle.spokes[i].suspension);
 }
 
 Sample Simulation::sample() const {

@@ -77,9 +77,6 @@ public:
 private:
     void start();
     std::string inspect(const Health<double>& health) const;
-    std::string assembly_problem(const LoopReport& loop) const;
-    std::string cut_name(const LoopReport& loop) const;
-    std::string corner_name(int spoke) const;
     std::string travels(int spoke) const;
 
     VehicleDescription vehicle_;

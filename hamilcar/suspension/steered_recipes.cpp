@@ -99,7 +99,7 @@ const Recipe macpherson_recipe{.keyword = "macpherson",
                                         {"tie_rod_outer_m", point, "tie rod, end on the carrier"},
                                         steered,
                                         rack_axis},
-                               .spring_part = "strut",
+                               .spring_part = "carrier",
                                .compose = macpherson};
 
 const Recipe double_wishbone_recipe{.keyword = "double_wishbone",

@@ -33,6 +33,9 @@ void expect_known(const Node& node, const Json& root, const Json& at, const std:
 }
 
 TEST(Schema, CommittedFilesAreThoseOfTheProgram) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "thousands of runs of the readers, which the other tests run too: minutes under sanitizers";
+#endif
     EXPECT_EQ(read_file(repository_path("schemas/vehicle.schema.json")), vehicle_schema())
         << "run `hamilcar schema vehicle -o schemas/vehicle.schema.json`";
     EXPECT_EQ(read_file(repository_path("schemas/scenario.schema.json")), scenario_schema())

@@ -8,17 +8,23 @@
 #include "hamilcar/run/record.hpp"
 #include "hamilcar/run/stabilization_sweep.hpp"
 #include "support/allocation_guard.hpp"
-#include "support/car.hpp"
+#include "support/fleet.hpp"
 
 namespace hamilcar {
 namespace {
 
 TEST(Channels, HaveUniqueNamesUnitsAndMeanings) {
-    std::set<std::string> names;
-    for (const Channel& channel : all_channels(test::shipped_car())) {
-        EXPECT_TRUE(names.insert(channel.column.name).second) << channel.column.name;
-        EXPECT_FALSE(channel.column.unit.empty()) << channel.column.name;
-        EXPECT_FALSE(channel.column.description.empty()) << channel.column.name;
+    for (const std::string& vehicle : test::fleet()) {
+        const VehicleDescription car = test::shipped(vehicle);
+        const Simulation simulation(car, test::scenario(1, 5));
+        const Sample sample = simulation.sample();
+        std::set<std::string> names;
+        for (const Channel& channel : all_channels(car)) {
+            EXPECT_TRUE(names.insert(channel.column.name).second) << vehicle << ": " << channel.column.name;
+            EXPECT_FALSE(channel.column.unit.empty()) << channel.column.name;
+            EXPECT_FALSE(channel.column.description.empty()) << channel.column.name;
+            EXPECT_TRUE(std::isfinite(channel.read(sample))) << vehicle << ": " << channel.column.name;
+        }
     }
 }
 
