@@ -1,5 +1,7 @@
 #include "hamilcar/analysis/reduced.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace hamilcar {
@@ -40,9 +42,9 @@ ReducedCoordinates::ReducedCoordinates(const VehicleDescription& d, const Vehicl
             const int wheel = spoke.offset + spoke.wheels[i].offset;
             add(wheel, name + ".spin_momentum"), add(wheel + 1, name + ".brake_windup");
             for (int k = 0; k < spoke.wheels[i].tires; ++k) {
-                const std::string tire = k == 0 ? "" : "_2";
-                add(wheel + 2 + 2 * k, name + ".deflection_x" + tire);
-                add(wheel + 3 + 2 * k, name + ".deflection_y" + tire);
+                const char* tire = k == 0 ? "" : "_2";
+                add(wheel + 2 + 2 * k, fmt::format("{}.deflection_x{}", name, tire));
+                add(wheel + 3 + 2 * k, fmt::format("{}.deflection_y{}", name, tire));
             }
         }
     }
@@ -62,8 +64,8 @@ std::vector<double> reduced_from(const ReducedCoordinates& reduced, const State<
     const Mat3<double> R = quaternion_rotation<double>(orientation);
     const Vector<double, 6> stored = state.momentum();
     std::vector<double> z{state.position()[2], std::atan2(R(2, 1), R(2, 2)), -std::asin(R(2, 0))};
-    for (int half = 0; half < 2; ++half) {
-        const Vec3<double> seen = R.transpose() * Vec3<double>(stored.segment<3>(3 * half));
+    for (const Eigen::Index half : {0, 3}) {
+        const Vec3<double> seen = R.transpose() * Vec3<double>(stored.segment<3>(half));
         z.insert(z.end(), seen.data(), seen.data() + 3);
     }
     for (const int place : reduced.further()) z.push_back(state.values[static_cast<std::size_t>(place)]);

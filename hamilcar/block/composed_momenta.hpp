@@ -179,8 +179,8 @@ private:
 // Forces of the bars on the wheels along their travel, wheel by wheel.
 template <class T>
 void composed_bar_forces(const Vehicle<T>& vehicle, const ComposedVelocities<T>& velocity,
-                         std::array<T, max_composed * max_wheels>& force) {
-    std::array<T, max_composed * max_wheels> travel;
+                         std::array<T, max_composed_wheels>& force) {
+    std::array<T, max_composed_wheels> travel;
     for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
         const ComposedSpoke<T>& spoke = vehicle.composed[s];
         for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
@@ -250,7 +250,7 @@ template <class T>
         own.external = spatial<T>(own.surroundings.gravity * trailer.chassis.mass,
                                   trailer.chassis_inertia.moment.cross(own.surroundings.gravity));
     }
-    std::array<T, max_composed * max_wheels> bars;
+    std::array<T, max_composed_wheels> bars;
     composed_bar_forces(vehicle, velocity, bars);
     for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
         const ComposedSpoke<T>& spoke = vehicle.composed[s];

@@ -191,7 +191,7 @@ template <class T>
     }
     CondensedSpoke<T> share;
     for_each_lower([&](int i, int j, std::size_t k) { share[k] = motor_vehicle.K(i, j); });
-    for (int i = 0; i < 6; ++i) share[static_cast<std::size_t>(21 + i)] = motor_vehicle.b[i];
+    for (std::size_t i = 0; i < 6; ++i) share[21 + i] = motor_vehicle.b[static_cast<int>(i)];
     return share;
 }
 

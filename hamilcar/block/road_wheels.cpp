@@ -20,10 +20,10 @@ std::vector<RoadWheel> road_wheels(const Model<double>& model, const Momenta<dou
             const ComposedWheel<double>& wheel = spoke.wheels[i];
             const auto at = spoke.wheel_state(static_cast<int>(i), state.values.data());
             RoadWheel& one = out.emplace_back(RoadWheel{spoke.unit, &wheel.brake, &at.brake_windup, {}});
-            for (int k = 0; k < wheel.tires; ++k) {
+            for (std::ptrdiff_t k = 0; k < wheel.tires; ++k) {
                 one.tires.push_back({&wheel.tire,
                                      &momenta.composed.spokes[s].wheels[i].tires[static_cast<std::size_t>(k)],
-                                     at.deflection + 2 * k, at.deflection + 2 * k + 1});
+                                     &at.deflection[2 * k], &at.deflection[2 * k + 1]});
             }
         }
     }

@@ -142,7 +142,8 @@ void add_composed_channels(std::vector<Channel>& list, const ComposedSpokeDescri
 void add_trailer_channels(std::vector<Channel>& list, const TrailerDescription& trailer, std::size_t i) {
     const auto angle = [i](int k) {
         return [i, k](const Sample& s) {
-            return degree * s.state.values[static_cast<std::size_t>(s.model.vehicle.trailers[i].offset + k)];
+            const double* angles_of_hitch = s.state.values.data() + s.model.vehicle.trailers[i].offset;
+            return degree * angles_of_hitch[k];
         };
     };
     const std::vector<std::string> angles = hitch_angles(trailer.hitch);

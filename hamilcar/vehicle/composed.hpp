@@ -16,10 +16,12 @@
 
 namespace hamilcar {
 
-inline constexpr int max_bodies = 6;          // with a mass, of one spoke
-inline constexpr int max_wheels = 2;          // of one spoke
-inline constexpr int max_tires_abreast = 2;   // of one wheel
-inline constexpr int max_axial_elements = 6;  // springs, and as many dampers, of one spoke
+inline constexpr int max_bodies = 6;  // with a mass, of one spoke
+inline constexpr int max_wheels = 2;  // of one spoke
+inline constexpr std::size_t max_composed_wheels =
+    std::size_t{max_composed} * std::size_t{max_wheels};  // of all spokes
+inline constexpr int max_tires_abreast = 2;               // of one wheel
+inline constexpr int max_axial_elements = 6;              // springs, and as many dampers, of one spoke
 
 template <class T>
 struct ComposedBody {
