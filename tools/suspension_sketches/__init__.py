@@ -1,0 +1,1 @@
+"""Sketches of suspensions as SVG: hardpoints, parts in space, their views, labels, pages."""
