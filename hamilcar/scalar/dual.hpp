@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "hamilcar/scalar/sincos.hpp"
+#include "hamilcar/scalar/elementary.hpp"
 
 namespace hamilcar {
 
@@ -92,6 +92,31 @@ template <class T, int N>
 SineCosine<Dual<T, N>> sincos(const Dual<T, N>& angle) {
     const auto [s, c] = sincos(angle.value());
     return {angle.chained(s, c), angle.chained(c, -s)};
+}
+template <class T, int N>
+Dual<T, N> arctangent(const Dual<T, N>& x) {
+    return x.chained(arctangent(x.value()), T(T(1) / (T(1) + x.value() * x.value())));
+}
+template <class T, int N>
+Dual<T, N> arctangent(const Dual<T, N>& y, const Dual<T, N>& x) {
+    return arctangent(y / x);
+}
+template <class T, int N>
+Dual<T, N> sine(const Dual<T, N>& angle) {
+    return angle.chained(sine(angle.value()), cosine(angle.value()));
+}
+template <class T, int N>
+Dual<T, N> cosine(const Dual<T, N>& angle) {
+    return angle.chained(cosine(angle.value()), T(-sine(angle.value())));
+}
+template <class T, int N>
+Dual<T, N> exponential(const Dual<T, N>& x) {
+    const T value = exponential(x.value());
+    return x.chained(value, value);
+}
+template <class T, int N>
+Dual<T, N> logarithm(const Dual<T, N>& x) {
+    return x.chained(logarithm(x.value()), T(T(1) / x.value()));
 }
 
 }  // namespace hamilcar
