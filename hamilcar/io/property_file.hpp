@@ -1,0 +1,54 @@
+// A property file (TeimOrbit, the layout of Adams and MF-Tyre files such as `.tir`): `[SECTIONS]` of `KEY = value`
+// pairs and of tables, each entry with the line it was written at.
+//
+// A `(SUB-BLOCK)` is a section of its own, named "BLOCK/SUB-BLOCK". A section opened again goes on where it stopped; a
+// key given twice or a second table in one section is a mistake, so the order of lines never decides a value.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hamilcar::io {
+
+struct PropertyEntry {
+    std::string key;               // upper case; empty for a line that is only a quoted text, as in "(COMMENTS)"
+    std::string text;              // without quotes and outer blanks, in the bytes of the file; empty for "KEY ="
+    std::optional<double> number;  // if the whole unquoted text is one finite number
+    bool quoted = false;
+    std::size_t line = 0;
+};
+
+struct PropertySection {
+    std::string name;      // upper case
+    std::size_t line = 0;  // of its first header
+    std::vector<PropertyEntry> entries;
+    std::vector<std::string> columns;  // of its table, as written; empty if the table has no `{header}`
+    std::vector<std::vector<double>> rows;
+    std::size_t table_line = 0;  // 0: no table
+};
+
+struct PropertyFile {
+    std::string path;
+    std::vector<PropertySection> sections;  // in the order of the file
+
+    // Names and keys in upper case. Null if absent.
+    const PropertySection* find(std::string_view section) const;
+    const PropertyEntry* find(std::string_view section, std::string_view key) const;
+};
+
+// Throws Error: input_output if the file cannot be read, else as `parse_property_file`.
+PropertyFile read_property_file(const std::string& path);
+
+// Throws Error(bad_file, "path:line: ..."). Time and memory grow no faster than the text, up to 4 MB of it.
+PropertyFile parse_property_file(std::string_view text, const std::string& path);
+
+// 'text' for a message: short, and with nothing in it that a terminal could trip over.
+std::string shown_in_message(std::string_view text);
+
+// Throws Error(bad_file, "path:line: message").
+[[noreturn]] void fail_in_property_file(const std::string& path, std::size_t line, const std::string& message);
+
+}  // namespace hamilcar::io
