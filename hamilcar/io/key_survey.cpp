@@ -31,7 +31,7 @@ public:
         const Run base = run(answers);
         TableRecord record = base.record;
         for (std::size_t i = base.decisions.size(); i-- > first;) {  // the last is the innermost
-            if (is_within(base.decisions[i].table, scope)) try_options(base, answers, i, record);
+            if (is_within(base.decisions[i].table, scope)) try_options(base, answers, i, scope, record);
         }
         return record;
     }
@@ -53,8 +53,10 @@ private:
         return answers;
     }
 
-    // Adds to the record what the other options of a decision of the base's run lead to.
-    void try_options(const Run& base, const Answers& answers, std::size_t number, TableRecord& record) const {
+    // Adds to the record, which holds all later decisions within `explored`, what the other options of a decision of the
+    // base's run lead to.
+    void try_options(const Run& base, const Answers& answers, std::size_t number, const TablePath& explored,
+                     TableRecord& record) const {
         const Decision& decision = base.decisions[number];
         std::vector<TableRecord> others;
         for (std::size_t option = 0; option < decision.options.size(); ++option) {
@@ -68,20 +70,37 @@ private:
             for (TableRecord& other : others) join_key(record, other, decision);
             return;
         }
-        std::vector<TableRecord> variants = explore_options(decision, answers, number, scope);
+        std::vector<TableRecord> variants =
+            explore_options(decision, answers, number, {explored, base.record, record}, scope);
         variants[decision.taken] = record;
         for (TableRecord& variant : variants) variant = TableRecord(table_at(variant, scope));
         table_at(record, scope) = joined_by_choice(variants, decision, scope.size());
     }
 
+    // What the option taken leads to: by itself, and with all later decisions within the scope.
+    struct Taken {
+        const TablePath& scope;
+        const TableRecord &alone, &explored;
+
+        TableRecord within(const TablePath& inner) const {
+            TableRecord out = alone;
+            TableRecord known = explored;
+            table_at(out, inner) = TableRecord(table_at(known, inner));
+            return out;
+        }
+    };
+
     // A word may matter only together with a later decision, and that one for tables beside: the scope grows until it
-    // holds all that the options differ in.
+    // holds all that the options differ in. The option taken is not explored again where that is known: decisions inside
+    // decisions would multiply.
     std::vector<TableRecord> explore_options(const Decision& decision, const Answers& answers, std::size_t number,
-                                             TablePath& scope) const {
+                                             const Taken& taken, TablePath& scope) const {
         for (;;) {
             std::vector<TableRecord> variants;
             for (std::size_t option = 0; option < decision.options.size(); ++option) {
-                variants.push_back(explore(turned(answers, decision, option), number + 1, scope));
+                const bool known = option == decision.taken && is_within(scope, taken.scope);
+                variants.push_back(known ? taken.within(scope)
+                                         : explore(turned(answers, decision, option), number + 1, scope));
             }
             const std::size_t before = scope.size();
             widen(scope, variants[0], variants, decision);
