@@ -12,7 +12,7 @@
 int main(int argc, char** argv) {
     using namespace hamilcar;
     if (argc != 4) return std::fprintf(stderr, "usage: instruction_count ENGINE (one | double | single) STEPS\n"), 2;
-    const VehicleDescription vehicle = io::read_vehicle(HAMILCAR_SOURCE_DIR "/vehicles/bmw_323i.toml");
+    const VehicleDescription vehicle = io::read_vehicle(HAMILCAR_SOURCE_DIR "/vehicles/bmw_323i_paper.toml");
     const long steps = std::atol(argv[3]);
     const Engine& own = engine(argv[1]);
     if (std::strcmp(argv[2], "one") == 0) {

@@ -194,7 +194,7 @@ void print(const nlohmann::json& facts) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const VehicleDescription vehicle = io::read_vehicle(HAMILCAR_SOURCE_DIR "/vehicles/bmw_323i.toml");
+    const VehicleDescription vehicle = io::read_vehicle(HAMILCAR_SOURCE_DIR "/vehicles/bmw_323i_paper.toml");
     nlohmann::json facts;
     facts["race"] = race_of_steps(vehicle);
     const ScenarioDescription scenario = lane_change();

@@ -9,7 +9,7 @@
 
 int main() {
     using namespace hamilcar;
-    const VehicleDescription vehicle = io::read_vehicle(HAMILCAR_SOURCE_DIR "/vehicles/bmw_323i.toml");
+    const VehicleDescription vehicle = io::read_vehicle(HAMILCAR_SOURCE_DIR "/vehicles/bmw_323i_paper.toml");
     Simulation driving = cornering(vehicle, bend());
     const Steadiness s = steadiness(driving, 10'000'000);
     fmt::print("10 million steps: median {:.0f} ns (the clock's reading of {:.0f} ns included); one in 10 000 takes\n",

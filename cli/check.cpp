@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "hamilcar/analysis/freedom.hpp"
+#include "hamilcar/io/tir_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/run/channels.hpp"
 
@@ -49,6 +50,15 @@ nlohmann::json table_2(const Structure& counted) {
     return {{"coordinates", 7 * counted.bodies}, {"constraints", constraints}, {"rows", rows}};
 }
 
+// What the vehicle's tire files leave open, each file's once.
+nlohmann::json tire_notes(const VehicleDescription& vehicle) {
+    nlohmann::json notes = nlohmann::json::array();
+    for (const std::string& file : tire_files(vehicle)) {
+        for (const std::string& note : io::read_tir(file).notes) notes.push_back(note);
+    }
+    return notes;
+}
+
 nlohmann::json describe(const Simulation& simulation, const std::string& file) {
     const Structure counted = structure(simulation.model().vehicle, simulation.vehicle());
     const Sample sample = simulation.sample();
@@ -84,6 +94,7 @@ nlohmann::json describe(const Simulation& simulation, const std::string& file) {
             {"wheel_spins", counted.wheel_spins},
             {"spokes", spokes},
             {"table_2", table_2(counted)},
+            {"notes", tire_notes(simulation.vehicle())},
             {"channels", channels}};
 }
 
@@ -113,6 +124,8 @@ std::string report(const nlohmann::json& facts) {
                              spoke["opening_m"].get<double>(), spoke["mobility"].get<double>());
         }
     }
+    for (const auto& note : facts["notes"]) s += fmt::format("\nnote: {}", note.get<std::string>());
+    if (!facts["notes"].empty()) s += "\n";
     const auto& table = facts["table_2"];
     const int hitches = facts["hitch_freedoms"].get<int>();
     const std::string trailers = hitches > 0 ? fmt::format(", hitches {}", hitches) : "";

@@ -1,19 +1,22 @@
 // The commands of `hamilcar`, each a function of its options; messages go to standard error, facts to standard output.
 #pragma once
 
+#include <set>
 #include <string>
 
+#include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/scenario_file.hpp"
 
 namespace hamilcar::cli {
 
 struct Options {
-    std::string file;                            // scenario or vehicle; schema: of which of them
+    std::string file;                            // scenario, vehicle or tire; schema: of which of them
     std::string output;                          // -o: folder; check, schema: file
     bool json = false;                           // one JSON object on standard output
     double seconds = 20;                         // bench: about how long to measure
     double travel = 80;                          // kinematics: each way [mm]
+    double length = 400;                         // road: from x = 0 on [m]
     double speed = 0, lateral_acceleration = 0;  // equilibrium, modes [m/s], [m/s^2]
 };
 
@@ -25,9 +28,13 @@ io::ExitCode equilibrium(const Options& options);
 io::ExitCode kinematics(const Options& options);
 io::ExitCode modes(const Options& options);
 io::ExitCode schema(const Options& options);
+io::ExitCode tire(const Options& options);
+io::ExitCode road(const Options& options);
 
 // A file that comes with hamilcar: here, in the source or where it is installed; throws io::Error(input_output).
 std::string shipped_file(const std::string& name);
+// The tire property files that a vehicle's tires come from, each once.
+std::set<std::string> tire_files(const VehicleDescription& vehicle);
 // Creates a folder with its parents; throws io::Error(input_output).
 void make_folder(const std::string& path);
 // Writes a whole small file; throws io::Error(input_output).

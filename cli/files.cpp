@@ -40,6 +40,14 @@ std::string shipped_file(const std::string& name) {
                     name + ": not found here, in the source or where hamilcar is installed");
 }
 
+std::set<std::string> tire_files(const VehicleDescription& vehicle) {
+    std::set<std::string> files;
+    for_each_wheel(vehicle, [&](const auto& wheel, std::size_t) {
+        if (const auto* magic = std::get_if<MagicFormulaDescription>(&wheel.tire)) files.insert(magic->name);
+    });
+    return files;
+}
+
 void make_folder(const std::string& path) {
     std::error_code error;
     std::filesystem::create_directories(path, error);

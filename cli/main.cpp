@@ -16,8 +16,8 @@ namespace cli = hamilcar::cli;
 
 // CLI11 only says that a word is missing; the mistyped command and the nearest one help more.
 std::string mistyped_command(int argc, char** argv) {
-    static constexpr std::string_view commands[] = {"run",         "paper",      "check", "bench",
-                                                    "equilibrium", "kinematics", "modes", "schema"};
+    static constexpr std::string_view commands[] = {"run",        "paper", "check", "bench", "equilibrium",
+                                                    "kinematics", "modes", "tire",  "road",  "schema"};
     if (argc < 2 || argv[1][0] == '-') return {};
     for (const std::string_view command : commands) {
         if (command == argv[1]) return {};
@@ -79,12 +79,20 @@ int run_command(int argc, char** argv) {
     for (auto* command : {kinematics, modes}) {
         command->add_option("-o,--output", options.output, "folder for tables and pictures");
     }
+    auto* tire = app.add_subcommand("tire", "print a tire file's curves, key figures and what it leaves open");
+    tire->add_option("file", options.file, "tire property file (.tir)")->required();
+    tire->add_option("-o,--output", options.output, "folder for tables and pictures");
+    auto* road = app.add_subcommand("road", "show how rough a scenario's road is, or write it as an OpenCRG file");
+    road->add_option("scenario", options.file, "scenario file (TOML)")->required();
+    road->add_option("--length", options.length, "of road, from x = 0 on [400 m]")->check(CLI::Range(10.0, 20000.0));
+    road->add_option("-o,--output", options.output, "OpenCRG file (.crg) to write");
     auto* schema = app.add_subcommand("schema", "print the JSON Schema of vehicle or scenario files, for editors");
     schema->add_option("kind", options.file, "vehicle or scenario")
         ->required()
         ->check(CLI::IsMember({"vehicle", "scenario"}));
     schema->add_option("-o,--output", options.output, "file for the schema, instead of standard output");
-    for (auto* command : {run, paper, check, bench, equilibrium, kinematics, modes}) add_common(*command, options);
+    for (auto* command : {run, paper, check, bench, equilibrium, kinematics, modes, tire, road})
+        add_common(*command, options);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -98,6 +106,8 @@ int run_command(int argc, char** argv) {
     if (equilibrium->parsed()) return static_cast<int>(cli::equilibrium(options));
     if (kinematics->parsed()) return static_cast<int>(cli::kinematics(options));
     if (modes->parsed()) return static_cast<int>(cli::modes(options));
+    if (tire->parsed()) return static_cast<int>(cli::tire(options));
+    if (road->parsed()) return static_cast<int>(cli::road(options));
     return static_cast<int>(cli::check(options));
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "hamilcar/io/tir_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/run/record.hpp"
 #include "progress.hpp"
@@ -65,6 +66,10 @@ io::ExitCode run(const Options& options) {
     progress.clear();
     for (auto& writer : files.writers) writer->close();
 
+    for (const std::string& file : tire_files(simulation.vehicle())) {
+        const std::size_t notes = io::read_tir(file).notes.size();
+        if (notes > 0) fmt::print(stderr, "hamilcar: {}: {} remarks; 'hamilcar tire' lists them\n", file, notes);
+    }
     const nlohmann::json facts = summary_json(simulation, summary, files.paths);
     write_file(folder + "/summary.json", facts.dump(2) + "\n");
     if (options.json) {

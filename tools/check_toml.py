@@ -17,6 +17,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 HOME = ROOT / "tools/taplo"
 PACKAGE = HOME / "node_modules/@taplo/cli/package.json"
 CAR, TRUCK, RUN = "vehicles/bmw_323i.toml", "vehicles/truck_semitrailer.toml", "scenarios/step_steer.toml"
+ROUGH = "scenarios/rough_road.toml"
 
 # What is wrong, the file, what is changed into what, and a piece of the linter's message.
 MISTAKES = [
@@ -29,7 +30,7 @@ MISTAKES = [
     ("misspelled table", CAR, "[axle.damper]", "[axle.dampr]", '"damper" is a required property'),
     ("hardpoints of another suspension", CAR, '"macpherson"', '"h_arm"', "('strut_top_m', 'slide_point_m', "),
     ("missing hardpoint", CAR, "ball_joint_m = ", "# ", '"ball_joint_m" is a required property'),
-    ("key of another tire model", CAR, 'model = "linear"', 'model = "spring"',
+    ("key of another tire model", "vehicles/bmw_e21_320i.toml", 'model = "linear"', 'model = "spring"',
      "'carcass_damping_s', 'rolling_resistance' were unexpected"),
     ("two ways at once", CAR, "camber_deg = -0.69", "camber_deg = 0\nspin_axis = [0, 1, 0]",
      "'camber_deg', 'toe_in_deg' were unexpected"),
@@ -37,6 +38,9 @@ MISTAKES = [
     ("a trailer without a hitch", TRUCK, "hitch = ", "# ", '"hitch" is a required property'),
     ("misspelled with a base", "vehicles/bmw_323i_digressive.toml",
      "damper.force_N", "damper.force_M", "'force_M' was unexpected"),
+    ("key of a tire without a file", CAR, 'model = "magic_formula"', 'model = "fiala"', "'file' was unexpected"),
+    ("a road class that is none", ROUGH, 'class = "C"', 'class = "Z"', '"Z" is not one of'),
+    ("misspelled key of an obstacle", ROUGH, "height_m = 0.02", "hight_m = 0.02", "'hight_m' was unexpected"),
     ("misspelled key", RUN, "step_s", "stp_s", "'stp_s' was unexpected"),
     ("missing key", RUN, "duration_s", "# ", '"duration_s" is a required property'),
     ("wrong type", RUN, "duration_s = 6.0", "duration_s = true", 'is not of type "number"'),

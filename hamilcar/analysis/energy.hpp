@@ -75,6 +75,15 @@ void add_composed_energy(const Model<T>& model, const State<T>& state, const Vel
     }
 }
 
+// The plane that the hull is held against.
+template <class T>
+RoadPlane<T> hull_road(const Model<T>& model, const State<T>& state, const Velocity<T>& velocity) {
+    UnevenGround<RoadNumber<T>> uneven;
+    const UnitPlace<T> place{state.position(), velocity.R_GC};
+    const RoadPlane<T> plane = model.road.seen_from(place.position, place.R);
+    return ground_of_hull(ground_below(model, place, plane, 0, uneven), model.vehicle.hull, velocity.hub).plane;
+}
+
 template <class T>
 Energy<T> energy(const Model<T>& model, const State<T>& state, const Velocity<T>& velocity, const Momenta<T>& momenta) {
     const Vehicle<T>& vehicle = model.vehicle;
@@ -82,7 +91,7 @@ Energy<T> energy(const Model<T>& model, const State<T>& state, const Velocity<T>
     Energy<T> e;
     e.kinetic = T(0.5) * velocity.hub.dot(vehicle.chassis_inertia * velocity.hub);  // (56)
     e.potential = vehicle.chassis.mass * vehicle.gravity * height(vehicle.chassis.center) +
-                  vehicle.hull.potential(model.road.seen_from(state.position(), velocity.R_GC));
+                  vehicle.hull.potential(hull_road(model, state, velocity));
     e.drift = T(0);
     e.work = state.work();
     for (int i = 0; i < vehicle.spoke_count(); ++i) {

@@ -194,12 +194,9 @@ struct WheelShare {
 std::vector<WheelShare> shares_of(const VehicleDescription& d) {
     std::vector<WheelShare> out;
     double brakes = 0;
-    for (const CornerDescription& corner : d.corners) out.push_back({corner.brake.max_torque, corner.drive_share, 0});
-    for (const ComposedSpokeDescription& spoke : d.composed) {
-        for (const ComposedWheelDescription& wheel : spoke.wheels) {
-            out.push_back({wheel.brake.max_torque, wheel.drive_share, spoke.unit});
-        }
-    }
+    for_each_wheel(d, [&](const auto& wheel, std::size_t unit) {
+        out.push_back({wheel.brake.max_torque, wheel.drive_share, unit});
+    });
     for (const WheelShare& share : out) brakes += share.brake;
     for (WheelShare& share : out) share.brake = brakes > 0 ? share.brake / brakes : 0;
     return out;

@@ -15,10 +15,7 @@ using D = Dual<double, partials>;
 
 std::vector<std::string> wheel_names(const VehicleDescription& d) {
     std::vector<std::string> names;
-    for (const CornerDescription& corner : d.corners) names.push_back(corner.name);
-    for (const ComposedSpokeDescription& spoke : d.composed) {
-        for (const ComposedWheelDescription& wheel : spoke.wheels) names.push_back(wheel.name);
-    }
+    for_each_wheel(d, [&](const auto& wheel, std::size_t) { names.push_back(wheel.name); });
     return names;
 }
 

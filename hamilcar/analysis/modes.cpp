@@ -22,13 +22,10 @@ struct WheelPlace {
 
 std::vector<WheelPlace> wheel_places(const VehicleDescription& d) {
     std::vector<WheelPlace> out;
-    const auto add = [&](const std::string& name, const Point& center, std::size_t unit) {
-        out.push_back({name, name.substr(0, name.rfind('_')), center[0], center[1], unit});
-    };
-    for (const CornerDescription& corner : d.corners) add(corner.name, corner.wheel.center, 0);
-    for (const ComposedSpokeDescription& spoke : d.composed) {
-        for (const ComposedWheelDescription& wheel : spoke.wheels) add(wheel.name, wheel.wheel.center, spoke.unit);
-    }
+    for_each_wheel(d, [&](const auto& one, std::size_t unit) {
+        const Point& center = one.wheel.center;
+        out.push_back({one.name, one.name.substr(0, one.name.rfind('_')), center[0], center[1], unit});
+    });
     return out;
 }
 

@@ -11,6 +11,7 @@ public:
     // Goes on from where the simulation is, with the past of a multi-step method still to be made.
     EngineCar(const Engine& engine, const Simulation& simulation)
         : engine_(&engine),
+          surface_(simulation.surface()),
           model_(simulation.model()),
           schedule_(simulation.schedule()),
           state_(simulation.state()),
@@ -29,6 +30,7 @@ public:
 
 private:
     const Engine* engine_;
+    std::shared_ptr<const Surface> surface_;  // the model's
     Model<double> model_;
     Schedule schedule_;
     State<double> state_;

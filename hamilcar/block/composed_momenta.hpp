@@ -3,6 +3,7 @@
 // and for a hitch with h and Qhat of everything behind it, so that a trailer is a body like any other.
 #pragma once
 
+#include "hamilcar/block/unit_place.hpp"
 #include "hamilcar/block/velocity.hpp"
 #include "hamilcar/block/wheel_momenta.hpp"
 
@@ -47,13 +48,15 @@ template <class T>
 class ComposedSpokeMomenta {
 public:
     ComposedSpokeMomenta(const ComposedSpoke<T>& spoke, const ComposedVelocity<T>& velocity, const T* values,
-                         const Input<T>& input, const Surroundings<T>& world, bool with_work, ComposedMomenta<T>& out)
+                         const Input<T>& input, const Surroundings<T>& world, const GroundBelow<T>& ground,
+                         bool with_work, ComposedMomenta<T>& out)
         : spoke_(spoke),
           velocity_(velocity),
           at_(velocity.at),
           values_(values),
           input_(input),
           world_(world),
+          ground_(ground),
           with_work_(with_work),
           out_(out),
           n_(spoke.linkage.nV()) {
@@ -74,8 +77,8 @@ public:
         }
     }
 
-    // `bar`: of anti-roll bars, along the wheel's travel [N].
-    void add_wheel(int i, const T& bar) {
+    // `number`: of the wheel in the vehicle; `bar`: of anti-roll bars, along the wheel's travel [N].
+    void add_wheel(int i, int number, const T& bar) {
         const ComposedWheel<T>& wheel = spoke_.wheels[i];
         const auto state = spoke_.wheel_state(i, values_);
         ComposedWheelForces<T>& f = out_.wheels[i];
@@ -88,9 +91,9 @@ public:
         for (int k = 0; k < wheel.tires; ++k) {
             const T aside = wheel.tires == 1 ? T(0) : k == 0 ? wheel.half_spacing : T(-wheel.half_spacing);
             T torque;
-            wrench += tire_wrench<T>(wheel.tire, world_.road, Vec3<T>(velocity_.center[i] + axis * aside), axis, motion,
-                                     omega, turning, state.deflection[2 * k], state.deflection[2 * k + 1], f.tires[k],
-                                     torque);
+            wrench += tire_wrench<T>(wheel.tire, {ground_, {number, number}},
+                                     Vec3<T>(velocity_.center[i] + axis * aside), axis, motion, omega, turning,
+                                     state.deflection[2 * k], state.deflection[2 * k + 1], f.tires[k], torque);
             f.tire_spin_torque += torque;
             work_ += lost_in_tire(f.tires[k]);
         }
@@ -167,6 +170,7 @@ private:
     const T* values_;
     const Input<T>& input_;
     const Surroundings<T>& world_;
+    const GroundBelow<T>& ground_;
     bool with_work_;
     ComposedMomenta<T>& out_;
     int n_;
@@ -195,13 +199,6 @@ void composed_bar_forces(const Vehicle<T>& vehicle, const ComposedVelocities<T>&
         force[bar.right] += pull;
     }
 }
-
-// Where a unit's frame stands on the ground.
-template <class T>
-struct UnitPlace {
-    Vec3<T> position;
-    Mat3<T> R;  // to ground axes
-};
 
 template <class T>
 UnitPlace<T> behind(const UnitPlace<T>& tow, const Pose<T>& pose) {
@@ -252,15 +249,19 @@ template <class T>
     }
     std::array<T, max_composed_wheels> bars;
     composed_bar_forces(vehicle, velocity, bars);
+    UnevenGround<RoadNumber<T>> uneven;
     for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
         const ComposedSpoke<T>& spoke = vehicle.composed[s];
         const auto unit = static_cast<std::size_t>(spoke.unit);
         const Surroundings<T>& world = unit == 0 ? motor_vehicle : out.trailers[unit - 1].surroundings;
-        ComposedSpokeMomenta<T> momenta(spoke, velocity.spokes[s], state.values.data(), input, world,
+        const GroundBelow<T> ground = ground_below(model, places[unit], world.road, input.time, uneven);
+        ComposedSpokeMomenta<T> momenta(spoke, velocity.spokes[s], state.values.data(), input, world, ground,
                                         model.energy_balance, out.spokes.emplace_back());
         momenta.add_bodies();
         for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
-            momenta.add_wheel(static_cast<int>(i), bars[static_cast<std::size_t>(spoke.first_wheel) + i]);
+            const int wheel = spoke.first_wheel + static_cast<int>(i);
+            momenta.add_wheel(static_cast<int>(i), vehicle.spoke_count() + wheel,
+                              bars[static_cast<std::size_t>(wheel)]);
         }
         momenta.add_springs();
         (unit == 0 ? external : out.trailers[unit - 1].external) += momenta.external();

@@ -6,6 +6,7 @@
 #include "hamilcar/block/initial_process.hpp"
 #include "hamilcar/block/integration.hpp"
 #include "hamilcar/block/road_wheels.hpp"
+#include "hamilcar/tire/holding.hpp"
 
 namespace hamilcar {
 
@@ -49,21 +50,34 @@ void hold_on_slope(const Model<double>& model, const Input<double>& input, const
             const double load = tire.forces->tire.Fz;
             const Pull p = pull(wheel, tire);
             const double x = brakes_hold ? p.along : 0.0;
-            const auto deflection =
-                std::visit([&](const auto& model_) { return model_.holding(x, p.across, load); }, *tire.tire);
+            const auto deflection = holding(*tire.tire, tire.forces->contact, x * load, p.across * load);
             *tire.u = deflection.u, *tire.v = deflection.v;
             if (deflection.u != 0) *wheel.windup -= rolling_radius(*tire.tire) * x * load * wheel.brake->compliance;
         }
     }
 }
 
+// Across which ground the vehicle stands, in ground axes: the road's plane, or the mean of what its wheels stand on.
+Vec3<double> ground_normal(const Model<double>& model, const Input<double>& input, State<double>& state) {
+    if (!model.surface.any) return model.road.normal;
+    const auto velocity = velocity_block(model, state, input);
+    const auto momenta = momenta_block(model, state, input, velocity);
+    Vec3<double> sum = Vec3<double>::Zero();
+    for (const RoadWheel& wheel : road_wheels(model, momenta, state)) {
+        if (wheel.unit != 0) continue;
+        for (const RoadTire& tire : wheel.tires) sum += tire.forces->frame.normal;
+    }
+    return (velocity.R_GC * sum).normalized();
+}
+
 // The equilibrium problem: unknowns heave, roll, pitch, then every V and the hitches' angles but yaw, which is indifferent;
-// residuals force along the road's normal, moments about the center of mass along chassis x and y, then every rate of those
+// residuals force along the ground's normal, moments about the center of mass along chassis x and y, then every rate of those
 // momenta.
 class Equilibrium {
 public:
-    Equilibrium(const Model<double>& model, const Input<double>& input, const State<double>& start)
-        : model_(model), input_(input), start_(start), R_(velocity_block(model, start, input).R_GC) {
+    Equilibrium(const Model<double>& model, const Input<double>& input, const Vec3<double>& normal,
+                const State<double>& start)
+        : model_(model), input_(input), normal_(normal), start_(start), R_(velocity_block(model, start, input).R_GC) {
         input_.rack.rate = input_.rack.acceleration = 0;
         for (const StateFreedom& freedom : state_freedoms(model.vehicle)) {
             if (!freedom.hitch_yaw) freedoms_.push_back(freedom);
@@ -73,7 +87,7 @@ public:
 
     State<double> state_at(const Eigen::VectorXd& x) const {
         State<double> state = start_;
-        place_chassis(model_, Vec3<double>(start_.position()) + model_.road.normal * x[0],
+        place_chassis(model_, Vec3<double>(start_.position()) + normal_ * x[0],
                       R_ * axis_rotation<double>(Vec3<double>::UnitX(), x[1]) *
                           axis_rotation<double>(Vec3<double>::UnitY(), x[2]),
                       state);
@@ -96,7 +110,7 @@ public:
         const Vec3<double> F = momenta.external.head<3>();
         const Vec3<double> N = Vec3<double>(momenta.external.tail<3>()) - center.cross(F);
         Eigen::VectorXd r(unknowns());
-        r[0] = F.dot(velocity.R_GC.transpose() * model_.road.normal);
+        r[0] = F.dot(velocity.R_GC.transpose() * normal_);
         r[1] = N[0], r[2] = N[1];
         for (std::size_t i = 0; i < freedoms_.size(); ++i) {
             r[3 + static_cast<Eigen::Index>(i)] = rate.values[static_cast<std::size_t>(freedoms_[i].momentum)];
@@ -107,6 +121,7 @@ public:
 private:
     const Model<double>& model_;
     Input<double> input_;
+    Vec3<double> normal_;
     const State<double>& start_;
     Mat3<double> R_;
     std::vector<StateFreedom> freedoms_;
@@ -123,16 +138,22 @@ Eigen::MatrixXd finite_difference_jacobian(const Equilibrium& problem, const Eig
     return jacobian;
 }
 
-// Puts the lowest wheel a typical static deflection into the road, so that Newton starts in contact.
-void touch_road(const Model<double>& model, const Input<double>& input, State<double>& state) {
+// Puts the lowest wheel a typical static deflection into the road, so that Newton's method starts in contact.
+void touch_road(const Model<double>& model, const Input<double>& input, const Vec3<double>& normal,
+                State<double>& state) {
     constexpr double static_deflection = 0.015;
     const auto velocity = velocity_block(model, state, input);
     const auto momenta = momenta_block(model, state, input, velocity);
-    double deepest = -1e9;
+    double deepest = -1e9, sum = 0;
+    int count = 0;
     for (const RoadWheel& wheel : road_wheels(model, momenta, state)) {
-        for (const RoadTire& tire : wheel.tires) deepest = std::max(deepest, tire.forces->frame.depth);
+        for (const RoadTire& tire : wheel.tires) {
+            deepest = std::max(deepest, tire.forces->frame.depth);
+            sum += tire.forces->frame.depth, ++count;
+        }
     }
-    state.position() += model.road.normal * (deepest - static_deflection);
+    // On uneven ground the wheels' mean: a single high one would hold the others in the air.
+    state.position() += normal * ((model.surface.any ? sum / count : deepest) - static_deflection);
 }
 
 }  // namespace
@@ -141,9 +162,10 @@ EquilibriumResult settle(const Model<double>& model, Input<double> input, State<
     constexpr int max_iterations = 60;
     input.drive_torque = 0;
     close_loops(model, input.rack, state, 10);
-    touch_road(model, input, state);
+    const Vec3<double> normal = ground_normal(model, input, state);
+    touch_road(model, input, normal, state);
     const State<double> start = state;
-    const Equilibrium problem(model, input, start);
+    const Equilibrium problem(model, input, normal, start);
     Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.unknowns());
     Eigen::VectorXd r = problem.residual(x);
     const double weight = model.vehicle.total_mass * model.vehicle.gravity;

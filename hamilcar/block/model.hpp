@@ -3,16 +3,28 @@
 
 #include "hamilcar/description/scenario.hpp"
 #include "hamilcar/road/plane.hpp"
+#include "hamilcar/road/surface.hpp"
 #include "hamilcar/scalar/dispatch.hpp"
 #include "hamilcar/vehicle/chart.hpp"
 #include "hamilcar/vehicle/state.hpp"
 
 namespace hamilcar {
 
+// What stands on the plane, lane by lane; null where nothing does. Whoever makes a model keeps the surfaces.
+template <class T>
+struct SurfaceOfLanes {
+    std::array<const Surface*, static_cast<std::size_t>(lane_count<T>)> lanes{};
+    bool any = false;
+
+    SurfaceOfLanes() = default;
+    explicit SurfaceOfLanes(const Surface* same) : any(same != nullptr) { lanes.fill(same); }
+};
+
 template <class T>
 struct Model {
     Vehicle<T> vehicle;
     PlaneRoad<T> road;
+    SurfaceOfLanes<T> surface{};
     ChassisChart chart = ChassisChart::quaternion;
     ConstraintMode constraints = ConstraintMode::exact;
     T stabilization_gain{0};     // alpha of (27) [1/s]; zero in exact mode
@@ -25,6 +37,7 @@ struct Input {
     RackMotion<T> rack;
     T drive_torque{0};  // at the driven wheels together [N m]
     T brake{0};         // command, 0 to 1
+    double time = 0;    // for roads that move [s]
 };
 
 // Calls f with the chart object the model names.

@@ -41,11 +41,12 @@ HAMILCAR_CORE std::array<T, max_spokes> anti_roll_forces(const Vehicle<T>& vehic
 
 // What the ground, the air and gravity do to the chassis itself.
 template <class T>
-HAMILCAR_CORE void chassis_momenta(const Vehicle<T>& vehicle, const Surroundings<T>& world, Spatial<T>& external,
-                                   T& work_rate) {
+HAMILCAR_CORE void chassis_momenta(const Vehicle<T>& vehicle, const Surroundings<T>& world,
+                                   const GroundBelow<T>& ground, Spatial<T>& external, T& work_rate) {
     const Vec3<T> v = velocity_at<T>(world.hub, vehicle.aerodynamics.center);
     const Vec3<T> drag = v * (-vehicle.aerodynamics.half_density_area * sqrt(v.squaredNorm()));
-    const auto hull = vehicle.hull.contact(world.road, world.hub);
+    const WheelRoad<T> below = ground_of_hull(ground, vehicle.hull, world.hub);
+    const auto hull = vehicle.hull.contact(below.plane, world.hub, below.rise);
     external = force_at<T>(vehicle.aerodynamics.center, drag) + hull.wrench +
                spatial<T>(world.gravity * vehicle.chassis.mass, vehicle.chassis_inertia.moment.cross(world.gravity));
     work_rate = drag.dot(v) + hull.lost_power;
@@ -67,15 +68,20 @@ HAMILCAR_CORE Momenta<T, S> momenta_block_of(const Model<T>& model, const State<
     const Surroundings<T> world{model.road.seen_from(state.position(), velocity.R_GC),
                                 velocity.R_GC.row(2).transpose() * (-vehicle.gravity), velocity.hub,
                                 model.stabilization_gain};
-    chassis_momenta(vehicle, world, out.external, out.work_rate);
+    UnevenGround<RoadNumber<T>> uneven;
+    const UnitPlace<T> place{state.position(), velocity.R_GC};
+    const GroundBelow<T> below_chassis = ground_below(model, place, world.road, input.time, uneven);
+    chassis_momenta(vehicle, world, below_chassis, out.external, out.work_rate);
     const std::array<T, max_spokes> bars = anti_roll_forces(vehicle, velocity);
     const Surroundings<S> around = abreast<S>(world);
-    const Input<S> inputs{abreast<S>(input.rack), S(input.drive_torque), S(input.brake)};
+    const Input<S> inputs{abreast<S>(input.rack), S(input.drive_torque), S(input.brake), input.time};
+    const GroundBelow<S> ground{around.road, below_chassis.uneven};
     std::array<Spatial<S>, max_spokes> tires;
     vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
         const auto numbers = gather_row<S>(state, row.index);
         visit_spoke(row.spokes, velocity, i, [&](const Spoke<S>& spoke, const auto&, const auto& at) HAMILCAR_INLINED {
-            tires[i] = wheel_momenta<account>(spoke, at, spoke_view(numbers), inputs, around.road, out.spokes[i]);
+            const GroundOfWheel<S> below{ground, {row.index[0], row.index[1]}};
+            tires[i] = wheel_momenta<account>(spoke, at, spoke_view(numbers), inputs, below, out.spokes[i]);
         });
     });
     PlaceSum<T, S, std::tuple_size_v<SpokeShare<S>>> sum;

@@ -41,14 +41,14 @@ using SpokeShare = std::array<T, 6 + 1>;
 template <Account account, class T, class Kind>
 HAMILCAR_CORE Spatial<T> wheel_momenta(const Spoke<T>& spoke, const SpokeVelocity<T, Kind>& at,
                                        const SpokeState<const T>& state, const Input<T>& input,
-                                       const RoadPlane<T>& road, SpokeMomenta<T>& out) {
+                                       const GroundOfWheel<T>& ground, SpokeMomenta<T>& out) {
     SpokeForces<T> scratch;
     SpokeForces<T>& f = account == Account::full ? out.forces : scratch;
     const T omega = state.spin_momentum * spoke.wheel.inverse_spin_inertia;
     const T turning = at.spin_axis.dot(angular(at.motion));
     f.spin = omega - turning;
-    const Spatial<T> wrench = tire_wrench<T>(spoke.tire, road, at.wheel_center, at.spin_axis, at.motion, omega, turning,
-                                             state.deflection_x, state.deflection_y, f, f.tire_spin_torque);
+    const Spatial<T> wrench = tire_wrench<T>(spoke.tire, ground, at.wheel_center, at.spin_axis, at.motion, omega,
+                                             turning, state.deflection_x, state.deflection_y, f, f.tire_spin_torque);
     const auto brake = spoke.brake.evaluate(input.brake, f.spin, state.brake_windup);
     f.drive_torque = spoke.drive_share * input.drive_torque;
     f.brake_torque = brake.torque;

@@ -1,6 +1,7 @@
 // What pushes a wheel: tire, drive, brake, and the equation of its spin.
 #pragma once
 
+#include "hamilcar/road/ground.hpp"
 #include "hamilcar/tire/contact.hpp"
 #include "hamilcar/vehicle/composed.hpp"
 
@@ -21,6 +22,8 @@ struct TireForces {
     TireContact<T> contact;
     TireForce<T> tire;
     ContactFrame<T> frame;
+    T rise;          // of the road under the wheel [m/s]
+    T moment_power;  // of Mx and Mz [W]
 };
 
 template <class T>
@@ -32,31 +35,48 @@ struct WheelForces : TireForces<T> {
     T spin;                        // relative to the carrier [rad/s]
 };
 
+// The ground, and which wheels of the vehicle stand on it here.
+template <class T>
+struct GroundOfWheel {
+    const GroundBelow<T>& ground;
+    std::array<int, 2> numbers;
+};
+
 // A tire that stands at `center` and turns with `omega` about the axis, its carrier moving with `motion` and its contact
 // deflected by u, v. Returns the wrench on the carrier with its wheel; adds to the torque about the axis.
 template <class T>
-HAMILCAR_CORE Spatial<T> tire_wrench(const Tire<T>& any_tire, const RoadPlane<T>& road, const Vec3<T>& center,
+HAMILCAR_CORE Spatial<T> tire_wrench(const Tire<T>& any_tire, const GroundOfWheel<T>& below, const Vec3<T>& center,
                                      const Vec3<T>& axis, const Spatial<T>& motion, const T& omega, const T& turning,
                                      const T& u, const T& v, TireForces<T>& out, T& spin_torque) {
     return dispatch(any_tire, [&](const auto& tire) HAMILCAR_INLINED -> Spatial<T> {
-        const auto f = contact_frame<T>(road, center, axis, tire.radius);
+        const WheelRoad<T> road = below.ground.under(center, axis, motion, tire.radius, below.numbers);
+        const auto f = contact_frame<T>(road.plane, center, axis, tire.radius);
         const Vec3<T> velocity = velocity_at<T>(motion, f.point);
         const T v_x = f.longitudinal.dot(velocity);
         out.frame = f;
         out.contact = {.depth = f.depth,
-                       .depth_rate = -f.normal.dot(velocity),  // the lowest point's own, straight below P
+                       .depth_rate = road.rise - f.normal.dot(velocity),  // the lowest point's own, straight below P
                        .v_sx = v_x + f.lever * turning - tire.rolling_radius * omega,
                        .v_sy = f.lateral.dot(velocity),
                        .v_x = v_x,
+                       .camber = f.camber,
                        .omega = omega,
-                       .friction = road.friction,
+                       .friction = road.plane.friction,
                        .u = u,
                        .v = v};
         out.tire = tire.force(out.contact);
         const TireForce<T>& F = out.tire;
+        out.rise = road.rise;
+        out.moment_power = T(0);
         spin_torque = F.rolling_moment - tire.rolling_radius * F.Fx;
         Spatial<T> wrench = force_at<T>(f.point, F.Fx * f.longitudinal + F.Fy * f.lateral + F.Fz * f.normal);
         angular(wrench) += (F.rolling_moment - (tire.rolling_radius - f.lever) * F.Fx) * axis;
+        if constexpr (std::decay_t<decltype(tire)>::has_moments) {
+            const Vec3<T> moment = F.Mx * f.longitudinal + F.Mz * f.normal;
+            angular(wrench) += moment;
+            spin_torque += f.camber * F.Mz;
+            out.moment_power = moment.dot(angular(motion)) + f.camber * F.Mz * (omega - turning);
+        }
         return wrench;
     });
 }
@@ -65,7 +85,8 @@ HAMILCAR_CORE Spatial<T> tire_wrench(const Tire<T>& any_tire, const RoadPlane<T>
 template <class T>
 HAMILCAR_CORE T lost_in_tire(const TireForces<T>& f) {
     return f.tire.Fx * f.contact.v_sx + f.tire.Fy * f.contact.v_sy -
-           (f.tire.Fz - f.tire.elastic) * f.contact.depth_rate + f.tire.rolling_moment * f.contact.omega;
+           (f.tire.Fz - f.tire.elastic) * f.contact.depth_rate + f.tire.Fz * f.rise +
+           f.tire.rolling_moment * f.contact.omega + f.moment_power;
 }
 
 }  // namespace hamilcar

@@ -7,16 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "hamilcar/description/road.hpp"
+#include "hamilcar/description/signal.hpp"
+
 namespace hamilcar {
-
-enum class Interpolation { smooth, linear };  // monotone cubic (continuous rate) or straight lines
-
-// An input over time; constant before the first and after the last point. Times strictly increase.
-struct SignalDescription {
-    std::vector<double> time;   // [s]
-    std::vector<double> value;  // unit of the input
-    Interpolation interpolation = Interpolation::smooth;
-};
 
 enum class SteeringInput { none, steering_wheel, rack };
 enum class ConstraintMode { exact, stabilized };  // W solved from Phi = 0, or integrated with (27)
@@ -48,12 +42,6 @@ struct InitialDescription {
     double roll = 0, pitch = 0;                // if not settled [rad]
     std::array<double, 3> velocity{};          // of the vehicle origin, vehicle axes [m/s]; wheels roll along
     std::array<double, 3> angular_velocity{};  // vehicle axes [rad/s]
-};
-
-// A plane road. Grade: rise over run along ground x (uphill positive); bank: rise over run along ground y.
-struct RoadDescription {
-    double grade = 0, bank = 0;  // [1]
-    double friction = 1;         // factor on the tire's friction [1]
 };
 
 struct OutputDescription {

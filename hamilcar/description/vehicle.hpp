@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hamilcar/description/linkage.hpp"
+#include "hamilcar/description/tire.hpp"
 
 namespace hamilcar {
 
@@ -79,31 +80,6 @@ struct StopDescription {
     double progression = 0;  // [N/m^2]
 };
 
-// Linear tire with friction limit and relaxation (docs/models/forces.md).
-struct LinearTireDescription {
-    double radius = 0;                   // unloaded [m]
-    double rolling_radius = 0;           // effective [m]
-    double vertical_stiffness = 0;       // [N/m]
-    double vertical_damping = 0;         // [N s/m]
-    double longitudinal_stiffness = 0;   // slip stiffness per load, C_kappa / Fz [1]
-    double cornering_reference = 0;      // peak of C_alpha over load [N/rad]
-    double cornering_load = 0;           // load at that peak [N]: C_alpha = 2 ref x / (1 + x^2), x = Fz / load
-    double friction = 0;                 // [1]
-    double relaxation_longitudinal = 0;  // [m]
-    double relaxation_lateral = 0;       // [m]
-    double carcass_damping = 0;          // damping time of the contact deflection [s]
-    double rolling_resistance = 0;       // [1]
-};
-
-// A frictionless vertical spring that also pulls: for ride and energy studies, not for driving.
-struct SpringTireDescription {
-    double radius = 0;              // [m]
-    double rolling_radius = 0;      // [m]
-    double vertical_stiffness = 0;  // [N/m]
-};
-
-using TireDescription = std::variant<LinearTireDescription, SpringTireDescription>;
-
 struct BrakeDescription {
     double max_torque = 0;        // at full command [N m]
     double windup_stiffness = 0;  // of caliper and mounting, seen by a locked wheel [N m/rad]
@@ -145,9 +121,8 @@ struct ComposedWheelDescription {
     StopDescription bump, rebound;
     TireDescription tire;
     BrakeDescription brake;
-    double drive_share = 0;  // of the drive torque at this wheel [1]
-    std::size_t drive_reaction =
-        0;  // part that the drive torque reacts on: the hub, or where an axle's differential sits
+    double drive_share = 0;          // of the drive torque at this wheel [1]
+    std::size_t drive_reaction = 0;  // part that the drive torque reacts on: the hub, or where the differential sits
 };
 
 // What a spring or a damper acts along: between two points, or along (about) a coordinate of the linkage.
@@ -239,6 +214,23 @@ struct VehicleDescription {
     SteeringDescription steering;
     double gravity = 9.80665;  // [m/s^2]
 };
+
+// Calls f(wheel, unit) for the wheels of corners, then for those of composed suspensions: the vehicle's order of wheels. Both
+// kinds have a name, a wheel, a tire, a brake and a drive_share.
+template <class F>
+void for_each_wheel(const VehicleDescription& vehicle, F&& f) {
+    for (const CornerDescription& corner : vehicle.corners) f(corner, std::size_t{0});
+    for (const ComposedSpokeDescription& spoke : vehicle.composed) {
+        for (const ComposedWheelDescription& wheel : spoke.wheels) f(wheel, spoke.unit);
+    }
+}
+
+// Of the drive torque, at all wheels together [1].
+inline double driven_share(const VehicleDescription& vehicle) {
+    double driven = 0;
+    for_each_wheel(vehicle, [&](const auto& wheel, std::size_t) { driven += wheel.drive_share; });
+    return driven;
+}
 
 // Wheels of composed suspensions: the number of the next.
 inline std::size_t composed_wheel_count(const VehicleDescription& vehicle) {

@@ -1,47 +1,8 @@
 #include "hamilcar/driver/schedule.hpp"
 
-#include <cmath>
 #include <numbers>
 
 namespace hamilcar {
-
-namespace {
-
-// Fritsch-Carlson slopes: zero at local extremes, else the weighted harmonic mean of the neighboring secants.
-std::vector<double> monotone_slopes(const std::vector<double>& t, const std::vector<double>& y) {
-    const std::size_t n = t.size();
-    std::vector<double> slope(n, 0.0);
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-        const double h0 = t[i] - t[i - 1], h1 = t[i + 1] - t[i];
-        const double d0 = (y[i] - y[i - 1]) / h0, d1 = (y[i + 1] - y[i]) / h1;
-        if (d0 * d1 > 0) {
-            const double w0 = 2 * h1 + h0, w1 = h1 + 2 * h0;
-            slope[i] = (w0 + w1) / (w0 / d0 + w1 / d1);
-        }
-    }
-    return slope;  // zero at both ends: the input is constant outside the table
-}
-
-}  // namespace
-
-Signal::Signal(const SignalDescription& d, double scale) {
-    if (d.time.empty()) return;
-    std::vector<double> value = d.value;
-    for (double& number : value) number *= scale;
-    const bool smooth = d.interpolation == Interpolation::smooth;
-    const std::vector<double> slope = smooth ? monotone_slopes(d.time, value) : std::vector<double>();
-    spans_ = {Span{{.y0 = value.front()}, -forever, d.time.front()}};
-    for (std::size_t i = 0; i + 1 < d.time.size(); ++i) {
-        const double h = d.time[i + 1] - d.time[i], rise = value[i + 1] - value[i];
-        SignalPiece<double> piece{.inverse_duration = 1 / h, .y0 = value[i], .a = rise};
-        if (smooth) {  // Hermite
-            const double begin = slope[i] * h, end = slope[i + 1] * h;
-            piece.a = begin, piece.b = 3 * rise - 2 * begin - end, piece.c = begin + end - 2 * rise;
-        }
-        spans_.push_back({piece, d.time[i], d.time[i + 1]});
-    }
-    spans_.push_back({{.y0 = value.back()}, d.time.back(), forever});
-}
 
 Schedule::Schedule(const ScenarioDescription& scenario, const SteeringDescription& steering)
     : drive_(scenario.drive), brake_(scenario.brake) {

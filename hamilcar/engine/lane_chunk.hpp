@@ -66,6 +66,11 @@ private:
         model_.energy_balance = first.energy_balance;
         gather(model_.vehicle, parts_of([](const Model<double>& m) -> const auto& { return m.vehicle; }));
         gather(model_.road, parts_of([](const Model<double>& m) -> const auto& { return m.road; }));
+        model_.surface.any = false;
+        for (std::size_t i = 0; i < models_.size(); ++i) {
+            model_.surface.lanes[i] = models_[i]->surface.lanes[0];
+            model_.surface.any = model_.surface.any || model_.surface.lanes[i];
+        }
         gather(model_.stabilization_gain,
                parts_of([](const Model<double>& m) -> const auto& { return m.stabilization_gain; }));
     }

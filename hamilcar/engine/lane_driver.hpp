@@ -23,7 +23,9 @@ public:
     // All lanes at one time [s].
     Input<T> operator()(double time) {
         if (!(begin_ <= time && time < end_)) fetch(time);
-        return constant_ ? constants_ : evaluate(time);
+        if (!constant_) return evaluate(time);
+        constants_.time = time;
+        return constants_;
     }
 
 private:
@@ -49,7 +51,8 @@ private:
         const SignalValue<T> rack = rack_.at(time);
         return {.rack = {rack.value, rack.rate, rack.acceleration},
                 .drive_torque = drive_.at(time).value,
-                .brake = brake_.at(time).value};
+                .brake = brake_.at(time).value,
+                .time = time};
     }
 
     void fetch(double time) {

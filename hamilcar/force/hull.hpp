@@ -51,10 +51,10 @@ struct Hull {
         T lost_power;       // of damping and friction [W]
     };
 
-    // All points together, for the chassis moving with v_1.
-    HAMILCAR_CORE Contact contact(const RoadPlane<T>& road, const Spatial<T>& hub) const {
+    // All points together, for the chassis moving with v_1; `rise` is the plane's own rate along its normal [m/s].
+    HAMILCAR_CORE Contact contact(const RoadPlane<T>& road, const Spatial<T>& hub, const T& rise = T(0)) const {
         if (any(reaches(road))) [[unlikely]]
-            return pressed(road, hub);
+            return pressed(road, hub, rise);
         return {Spatial<T>::Zero(), T(0)};
     }
 
@@ -69,14 +69,14 @@ struct Hull {
 
 private:
     // Out of line and by value: a car on its wheels keeps its numbers in registers.
-    [[gnu::noinline, gnu::pure]] Contact pressed(RoadPlane<T> road, Spatial<T> hub) const {
+    [[gnu::noinline, gnu::pure]] Contact pressed(RoadPlane<T> road, Spatial<T> hub, T rise) const {
         Contact sum{Spatial<T>::Zero(), T(0)};
         for (const Vec3<T>& point : points) {
             const T pressed = depth(road, point);
             if (!any(pressed > T(0))) continue;
             const Vec3<T> v = velocity_at<T>(hub, point);
-            const T rising = road.normal.dot(v);
-            const Vec3<T> slip = v - road.normal * rising;
+            const T leaving = road.normal.dot(v), rising = leaving - rise;  // off the ground, off a plane that rises
+            const Vec3<T> slip = v - road.normal * leaving;
             const T speed = sqrt(slip.squaredNorm() + T(sliding_speed * sliding_speed));
             const T elastic = stiffness * pressed, normal = elastic * max(T(1) - damping * rising, T(0));
             const Vec3<T> force = road.normal * normal - slip * (friction * road.friction * normal / speed);

@@ -8,6 +8,7 @@
 #include "hamilcar/io/mirror.hpp"
 #include "hamilcar/linkage/compose.hpp"
 #include "hamilcar/suspension/recipe.hpp"
+#include "hamilcar/tire/mirrored.hpp"
 #include "hamilcar/vehicle/composed.hpp"
 
 namespace hamilcar::io {
@@ -96,6 +97,7 @@ ComposedWheelDescription right_wheel(ComposedWheelDescription wheel, const std::
     wheel.name = axle + "_right";
     wheel.part = part;
     wheel.wheel = mirrored(wheel.wheel);
+    wheel.tire = hamilcar::mirrored(wheel.tire);
     return wheel;
 }
 

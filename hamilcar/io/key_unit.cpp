@@ -21,6 +21,7 @@ constexpr std::array unit_words{
     UnitWord{"s", "s"},
     UnitWord{"s2", "s^2"},
     UnitWord{"N", "N"},
+    UnitWord{"Pa", "Pa"},
     UnitWord{"rad", "rad"},
     UnitWord{"per", "/"},
     UnitWord{"revolution", "revolution"},

@@ -3,6 +3,8 @@
 // (-a, b, -c). The rack is one piece and its axis stays.
 #include "hamilcar/io/mirror.hpp"
 
+#include "hamilcar/tire/mirrored.hpp"
+
 namespace hamilcar::io {
 
 namespace {
@@ -39,6 +41,7 @@ CornerDescription mirrored(CornerDescription corner) {
     std::visit([](auto& points) { mirror_hardpoints(points); }, corner.suspension);
     mirror(corner.carrier);
     corner.wheel = mirrored(corner.wheel);
+    corner.tire = hamilcar::mirrored(corner.tire);
     return corner;
 }
 

@@ -35,7 +35,7 @@ std::string commands(const Chart& chart) {
     s += "set autoscale xfix\nset rmargin 4\nset offsets 0, 0, graph 0.08, graph 0.05\n";
     if (chart.log_y) s += "set logscale y\nset format y '10^{%L}'\nset termoption enhanced\n";
     if (chart.log_x) s += "set logscale x\n";
-    s += chart.curves.size() == 1 ? "set key off\n" : "set key on\n";
+    s += chart.curves.size() == 1 ? "set key off\n" : "set key on " + chart.legend + "\n";
     for (const auto& [x, label] : chart.vertical_marks) {
         s += fmt::format("set arrow from first {0}, graph 0 to first {0}, graph 1 nohead dt 2 lc rgb '#888888'\n", x);
         s += fmt::format(

@@ -18,6 +18,7 @@ struct Chart {
     bool log_y = false;
     std::vector<std::pair<double, std::string>> vertical_marks;  // x and its label
     bool log_x = false;
+    std::string legend = "top left";  // where the curves leave room for it
 };
 
 // Throws Error(input_output) if gnuplot is missing or the file cannot be written.

@@ -5,23 +5,13 @@
 
 #include "hamilcar/integrator/stabilization.hpp"
 #include "hamilcar/io/number_text.hpp"
+#include "hamilcar/io/road_file.hpp"
 #include "hamilcar/io/table_reader.hpp"
+#include "hamilcar/io/word.hpp"
 
 namespace hamilcar::io {
 
 namespace {
-
-template <class Value>
-struct Word {
-    std::string_view word;
-    Value meaning;
-};
-
-// What the word at a key means; the first one if the key is absent.
-template <class Value>
-Value word(const TableReader& table, std::string_view key, const Word<Value>& usual, const Word<Value>& other) {
-    return table.one_of(key, std::array{usual.word, other.word}, 0) == 0 ? usual.meaning : other.meaning;
-}
 
 SolverDescription read_solver(const TableReader& table) {
     std::array<std::string_view, methods.size()> names;
@@ -71,21 +61,6 @@ InitialDescription read_initial(const TableReader& table) {
         table.expect(!initial.settle || !table.has(key), key, "'settle = false' beside it; settling finds this itself");
     }
     return initial;
-}
-
-RoadDescription read_road(const TableReader& table) {
-    return {.grade = table.number("grade_percent", any_number, 0),
-            .bank = table.number("bank_percent", any_number, 0),
-            .friction = table.number("friction", positive, 1)};
-}
-
-// One number holds for the whole run, a list goes with the times in `time_s`.
-SignalDescription read_signal(const TableReader& table, std::string_view key, const Range& range) {
-    const auto interpolation = word<Interpolation>(table, "interpolation", {"smooth", Interpolation::smooth},
-                                                   {"linear", Interpolation::linear});
-    if (!table.has_list(key) && !table.has("time_s")) return {{0}, {table.number(key, range)}, interpolation};
-    const Samples samples = table.samples("time_s", key, range);
-    return {samples.argument, samples.value, interpolation};
 }
 
 SignalDescription read_optional_signal(const TableReader& inputs, std::string_view name, std::string_view key,

@@ -139,15 +139,6 @@ int composed_numbers(const VehicleDescription& vehicle) {
     return count;
 }
 
-double driven_share(const VehicleDescription& vehicle) {
-    double driven = 0;
-    for (const CornerDescription& corner : vehicle.corners) driven += corner.drive_share;
-    for (const ComposedSpokeDescription& spoke : vehicle.composed) {
-        for (const ComposedWheelDescription& wheel : spoke.wheels) driven += wheel.drive_share;
-    }
-    return driven;
-}
-
 }  // namespace
 
 VehicleDescription read_vehicle(const std::string& path) {

@@ -5,36 +5,10 @@
 #include <cmath>
 
 #include "hamilcar/force/axial.hpp"
-#include "hamilcar/io/kind.hpp"
-#include "hamilcar/tire/list.hpp"
 
 namespace hamilcar::io {
 
 namespace {
-
-TireDescription read_linear_tire(const TableReader& tire) {
-    return LinearTireDescription{.radius = tire.number("radius_m", positive),
-                                 .rolling_radius = tire.number("rolling_radius_m", positive),
-                                 .vertical_stiffness = tire.number("vertical_stiffness_N_per_m", positive),
-                                 .vertical_damping = tire.number("vertical_damping_N_s_per_m", not_negative),
-                                 .longitudinal_stiffness = tire.number("longitudinal_stiffness_per_load", positive),
-                                 .cornering_reference = tire.number("cornering_reference_N_per_rad", positive),
-                                 .cornering_load = tire.number("cornering_load_N", positive),
-                                 .friction = tire.number("friction", positive),
-                                 .relaxation_longitudinal = tire.number("relaxation_longitudinal_m", positive),
-                                 .relaxation_lateral = tire.number("relaxation_lateral_m", positive),
-                                 .carcass_damping = tire.number("carcass_damping_s", not_negative),
-                                 .rolling_resistance = tire.number("rolling_resistance", not_negative)};
-}
-
-TireDescription read_spring_tire(const TableReader& tire) {
-    return SpringTireDescription{.radius = tire.number("radius_m", positive),
-                                 .rolling_radius = tire.number("rolling_radius_m", positive),
-                                 .vertical_stiffness = tire.number("vertical_stiffness_N_per_m", positive)};
-}
-
-constexpr std::array tire_kinds{Kind<TireDescription>{LinearTire<double>::keyword, read_linear_tire},
-                                Kind<TireDescription>{SpringTire<double>::keyword, read_spring_tire}};
 
 Point read_spin_axis(const TableReader& wheel) {
     constexpr Range tilt{"number from -45 to 45", -45, 45};
@@ -57,21 +31,6 @@ double force_at_rest(const Samples& curve) {
 }
 
 }  // namespace
-
-NamedTires read_tires(const TableReader& file) {
-    NamedTires tires;
-    for (const auto& [name, table] : file.named_tables("tire")) {
-        tires.emplace_back(name, read_kind(tire_kinds, table, "model", table));
-    }
-    file.expect(!tires.empty(), "tire", "at least one [tire.NAME]");
-    return tires;
-}
-
-const TireDescription& tire_of(const TableReader& axle, const NamedTires& tires) {
-    std::vector<std::string_view> names;
-    for (const auto& [name, tire] : tires) names.push_back(name);
-    return tires[axle.one_of("tire", names)].second;
-}
 
 WheelDescription read_wheel(const TableReader& wheel) {
     const Point center = wheel.array<3>("center_m");

@@ -37,9 +37,11 @@ double require_gain(const SolverDescription& solver) {
     reject("solver.stabilization_gain_per_s", fmt::format(" = {:g}: expected {}", choice.gain, choice.expectation));
 }
 
-Model<double> make_model(const VehicleDescription& vehicle, const ScenarioDescription& scenario) {
+Model<double> make_model(const VehicleDescription& vehicle, const ScenarioDescription& scenario,
+                         const Surface* surface) {
     return {.vehicle = Vehicle<double>(vehicle),
             .road = PlaneRoad<double>(scenario.road.grade, scenario.road.bank, scenario.road.friction),
+            .surface = SurfaceOfLanes<double>(surface),
             .chart = scenario.solver.chart,
             .constraints = scenario.solver.constraints,
             .stabilization_gain = require_gain(scenario.solver),
@@ -53,17 +55,22 @@ void check_inputs(const ScenarioDescription& scenario, const VehicleDescription&
                fmt::format(": {} has no [steering]; expected rack_m_per_revolution there, or inputs.rack here",
                            vehicle.name));
     }
-    double driven = 0;
-    for (const CornerDescription& corner : vehicle.corners) driven += corner.drive_share;
-    for (const ComposedSpokeDescription& spoke : vehicle.composed) {
-        for (const ComposedWheelDescription& wheel : spoke.wheels) driven += wheel.drive_share;
-    }
+    const double driven = driven_share(vehicle);
     for (const double torque : scenario.drive.value) {
         if (torque == 0 || driven > 0) continue;
         reject("inputs.drive",
                fmt::format(" asks for {:g} N m, but no axle of {} is driven; expected a drive_share there", torque,
                            vehicle.name));
     }
+}
+
+// A post that stands under no wheel is a mistake in the scenario.
+void check_posts(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
+    std::size_t wheels = 0;
+    for_each_wheel(vehicle, [&](const auto&, std::size_t) { ++wheels; });
+    const std::size_t posts = scenario.road.posts.height.size();
+    if (posts <= wheels) return;
+    reject("road.posts.wheel", fmt::format(": {} posts for the {} wheels of {}", posts, wheels, vehicle.name));
 }
 
 // The rack ends at its stops; a schedule that asks for more is a mistake, not a wish.
@@ -80,14 +87,43 @@ void check_rack(const ScenarioDescription& scenario, const SteeringDescription& 
     }
 }
 
-// Chassis axes along the road: z the normal, x the heading laid into the plane.
-Mat3<double> heading_on(const PlaneRoad<double>& road, double yaw) {
+// Chassis axes along the ground: z the normal, x the heading laid into the plane.
+Mat3<double> heading_on(const Vec3<double>& normal, double yaw) {
     const Vec3<double> ahead(std::cos(yaw), std::sin(yaw), 0);
     Mat3<double> R;
-    R.col(2) = road.normal;
-    R.col(1) = road.normal.cross(ahead).normalized();
+    R.col(2) = normal;
+    R.col(1) = normal.cross(ahead).normalized();
     R.col(0) = R.col(1).cross(R.col(2));
     return R;
+}
+
+// Where a vehicle starts: the plane through the ground under its wheels, by least squares.
+struct StartingGround {
+    Vec3<double> normal;
+    double height;  // at the vehicle's origin [m]
+};
+
+StartingGround starting_ground(const Model<double>& model, const VehicleDescription& vehicle,
+                               const InitialDescription& initial) {
+    const Vec3<double>& n = model.road.normal;
+    const double x = initial.position[0], y = initial.position[1], c = std::cos(initial.yaw), s = std::sin(initial.yaw);
+    const double foot = -(n[0] * x + n[1] * y) / n[2];
+    const Surface* surface = model.surface.lanes[0];
+    if (!surface) return {n, foot};
+    Mat3<double> A = Mat3<double>::Zero();
+    Vec3<double> b = Vec3<double>::Zero();
+    int number = 0;
+    for_each_wheel(vehicle, [&](const auto& wheel, std::size_t) {
+        const Point& center = wheel.wheel.center;
+        const double dx = c * center[0] - s * center[1], dy = s * center[0] + c * center[1];
+        const Vec3<double> row(1, dx, dy);
+        A += row * row.transpose();
+        b +=
+            row * (surface->height(x + dx, y + dy) - (n[0] * dx + n[1] * dy) / n[2] + surface->post(number++, 0).value);
+    });
+    const Vec3<double> plane = A.inverse() * b;                        // height above the foot: p0 + p1 dx + p2 dy
+    if (!plane.allFinite()) return {n, foot + surface->height(x, y)};  // wheels in one line
+    return {Vec3<double>(-plane[1], -plane[2], 1).normalized(), foot + plane[0]};
 }
 
 }  // namespace
@@ -95,13 +131,15 @@ Mat3<double> heading_on(const PlaneRoad<double>& road, double yaw) {
 Simulation::Simulation(VehicleDescription vehicle, ScenarioDescription scenario)
     : vehicle_(std::move(vehicle)),
       scenario_(std::move(scenario)),
-      model_(make_model(vehicle_, scenario_)),
+      surface_(make_surface(scenario_.road)),
+      model_(make_model(vehicle_, scenario_, surface_.get())),
       engine_(&best_engine()),
       schedule_(scenario_, vehicle_.steering),
       integrator_(require_method(scenario_.solver), scenario_.solver.step, model_.vehicle.state_size,
                   scenario_.solver.tolerance),
       total_steps_(std::lround(scenario_.duration / scenario_.solver.step)) {
     check_inputs(scenario_, vehicle_);
+    check_posts(scenario_, vehicle_);
     check_rack(scenario_, vehicle_.steering);
     start();
 }
@@ -109,10 +147,10 @@ Simulation::Simulation(VehicleDescription vehicle, ScenarioDescription scenario)
 void Simulation::start() {
     const InitialDescription& initial = scenario_.initial;
     const Input<double> input = schedule_(0);
-    const Mat3<double> heading = heading_on(model_.road, initial.yaw);
-    const double x = initial.position[0], y = initial.position[1];
-    const Vec3<double>& n = model_.road.normal;
-    const Vec3<double> foot(x, y, -(n[0] * x + n[1] * y) / n[2]);
+    const StartingGround ground = starting_ground(model_, vehicle_, initial);
+    const Vec3<double>& n = ground.normal;
+    const Mat3<double> heading = heading_on(n, initial.yaw);
+    const Vec3<double> foot(initial.position[0], initial.position[1], ground.height);
     const Mat3<double> R = initial.settle
                                ? heading
                                : Mat3<double>(heading * axis_rotation<double>(Vec3<double>::UnitY(), initial.pitch) *

@@ -2,6 +2,7 @@
 // ends it. The mathematics never throws; what it flags becomes an `End` here, with the results so far kept by the caller.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -68,6 +69,8 @@ public:
 
     Sample sample() const;
     const Model<double>& model() const { return model_; }
+    // What stands on the road's plane; the model refers to it. Null on a plane.
+    const std::shared_ptr<const Surface>& surface() const { return surface_; }
     const State<double>& state() const { return state_; }
     const Schedule& schedule() const { return schedule_; }
     const VehicleDescription& vehicle() const { return vehicle_; }
@@ -81,6 +84,7 @@ private:
 
     VehicleDescription vehicle_;
     ScenarioDescription scenario_;
+    std::shared_ptr<const Surface> surface_;  // the model's; a copy of a Simulation shares it
     Model<double> model_;
     const Engine* engine_;
     Schedule schedule_;

@@ -47,6 +47,23 @@ void add_tire_channels(std::vector<Channel>& list, const std::string& name, bool
         ".longitudinal_slip_velocity", "m/s", "of the contact", [](const F& f) { return f.contact.v_sx; }, false);
     add_one(
         ".lateral_slip_velocity", "m/s", "of the contact", [](const F& f) { return f.contact.v_sy; }, false);
+    add_one(
+        ".aligning_moment", "N m", "on the wheel, about the road's normal", [](const F& f) { return f.tire.Mz; },
+        false);
+    add_one(
+        ".overturning_moment", "N m", "on the wheel, about its heading", [](const F& f) { return f.tire.Mx; }, false);
+    add_one(
+        ".longitudinal_slip", "1", "drive positive, held within -2 and 2",
+        [](const F& f) { return std::clamp(-f.contact.v_sx / std::max(std::abs(f.contact.v_x), 1e-3), -2.0, 2.0); },
+        false);
+    add_one(
+        ".slip_angle", "deg", "positive where the wheel moves to its left",
+        [](const F& f) { return degree * std::atan2(f.contact.v_sy, std::max(std::abs(f.contact.v_x), 1e-3)); }, false);
+    add_one(
+        ".inclination", "deg", "of the wheel against the road, top to the right positive",
+        [](const F& f) { return degree * std::asin(f.contact.camber); }, false);
+    add_one(
+        ".friction", "1", "the road's factor under the wheel", [](const F& f) { return f.contact.friction; }, false);
 }
 
 void add_wheel_channels(std::vector<Channel>& list, const WheelReader& wheel) {

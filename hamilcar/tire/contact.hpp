@@ -19,6 +19,7 @@ struct TireContact {
     T depth, depth_rate;  // of the lowest point below the road [m, m/s]
     T v_sx, v_sy;         // slip velocities [m/s]
     T v_x;                // rolling speed of the carrier [m/s]
+    T camber;             // sine of the inclination, positive with the top to the right [1]
     T omega;              // absolute spin rate [rad/s]
     T friction;           // the road's factor [1]
     T u, v;               // contact deflections, states [m]
@@ -30,6 +31,7 @@ struct TireForce {
     T Fx, Fy, Fz;      // [N]
     T elastic;         // the part of Fz that a potential gives back [N]
     T rolling_moment;  // about the spin axis [N m]
+    T Mx, Mz;          // overturning and aligning, about the contact's longitudinal direction and normal [N m]
     T u_rate, v_rate;  // [m/s]
 };
 
@@ -43,8 +45,9 @@ template <class T>
 struct ContactFrame {
     Vec3<T> point;  // P, on the road, at `depth` above the disc's lowest point [m]
     Vec3<T> longitudinal, lateral, normal;
-    T depth;  // [m]
-    T lever;  // r: of a longitudinal force about the spin axis [m]
+    T depth;   // [m]
+    T lever;   // r: of a longitudinal force about the spin axis [m]
+    T camber;  // s = n.a [1]
 };
 
 // With s = n.a and c = sqrt(1 - s^2) the disc's lowest point lies at -R (n - s a) / c from the center and the longitudinal
@@ -63,6 +66,7 @@ HAMILCAR_CORE ContactFrame<T> contact_frame(const RoadPlane<T>& road, const Vec3
     f.depth = radius * c - (n.dot(center) - road.offset);
     f.point = center + n * (f.depth - reach) + axis * (s * reach);
     f.lever = radius - c * f.depth;
+    f.camber = s;
     return f;
 }
 

@@ -2,7 +2,7 @@
 // are states, so force is a smooth function of time at every speed and a standing car stands (docs/models/forces.md).
 #pragma once
 
-#include "hamilcar/description/vehicle.hpp"
+#include "hamilcar/description/tire.hpp"
 #include "hamilcar/scalar/scalar.hpp"
 #include "hamilcar/tire/contact.hpp"
 
@@ -11,6 +11,7 @@ namespace hamilcar {
 template <class T>
 struct LinearTire {
     static constexpr std::string_view keyword = "linear";
+    static constexpr bool has_moments = false;
     // Speed at which a sliding contact returns its surplus deflection [m/s]: high enough to follow the friction limit
     // within a hundredth of a second, low enough for an explicit 1 ms step.
     static constexpr double return_speed = 20;
@@ -71,6 +72,8 @@ struct LinearTire {
                 .Fz = Fz,
                 .elastic = elastic,
                 .rolling_moment = -rolling_resistance * Fz * rolling_radius * resisting,
+                .Mx = T(0),
+                .Mz = T(0),
                 .u_rate = u_rate,
                 .v_rate = v_rate};
     }
@@ -79,13 +82,6 @@ struct LinearTire {
     HAMILCAR_CORE T potential(const T& depth) const {
         const T pressed = max(depth, T(0));
         return T(0.5) * stiffness * pressed * pressed;
-    }
-
-    // Deflections at rest that carry the given forces per load.
-    Deflection<T> holding(const T& x_per_load, const T& y_per_load, const T& Fz) const {
-        const T x = Fz * load_scale;
-        return {x_per_load / (slip_stiffness * curvature_x),
-                y_per_load * (T(1) + x * x) / (cornering_at_zero * curvature_y)};
     }
 };
 

@@ -19,7 +19,7 @@ constexpr long steps = 1500;
 
 // Cars of one topology with nothing else in common: masses, springs, tires, grade, friction, start and driver.
 Simulation various(int i, SolverDescription solver = {}) {
-    VehicleDescription car = test::shipped_car();
+    VehicleDescription car = test::paper_car();
     car.chassis.mass *= 1 + 0.03 * i;
     car.chassis.center_of_mass[0] += 0.01 * i;
     for (CornerDescription& corner : car.corners) {
@@ -126,8 +126,8 @@ TEST_P(InstructionSet, ReportsCarsThatEndAndKeepsTheOthersAsTheyWere) {
     std::vector<Simulation> all = cars(4);
     ScenarioDescription tipping = test::scenario(10, 10);
     tipping.initial.settle = false, tipping.initial.height = 0.6, tipping.initial.angular_velocity = {4, 0, 0};
-    all.insert(all.begin() + 1, Simulation(test::shipped_car(), tipping));
-    VehicleDescription stiff = test::shipped_car();
+    all.insert(all.begin() + 1, Simulation(test::paper_car(), tipping));
+    VehicleDescription stiff = test::paper_car();
     for (CornerDescription& corner : stiff.corners) corner.spring.rate *= 1e4;
     ScenarioDescription thrown = test::scenario(10, 10);
     thrown.initial.settle = false, thrown.initial.height = 0.3;
@@ -155,7 +155,7 @@ TEST_P(InstructionSet, ReportsCarsThatEndAndKeepsTheOthersAsTheyWere) {
 TEST(Batch, GoesOnQuietlyWhenAllHaveEnded) {
     ScenarioDescription tipping = test::scenario(10, 10);
     tipping.initial.settle = false, tipping.initial.height = 0.6, tipping.initial.angular_velocity = {4, 0, 0};
-    const std::vector<Simulation> all{Simulation(test::shipped_car(), tipping)};
+    const std::vector<Simulation> all{Simulation(test::paper_car(), tipping)};
     Batch batch(all, {.threads = 1, .tilt_limit = 1.0});
     batch.advance(2000);
     EXPECT_EQ(batch.end(0).reason, EndReason::rolled_over);
@@ -184,7 +184,7 @@ TEST(Batch, SinglePrecisionStaysNearDouble) {
     s.steering_input = SteeringInput::rack;
     s.steering = test::table({1, 2, 3, 4, 5, 6}, {0, 0.004, 0, -0.004, 0, 0});
     s.drive = test::table({0, 0.2, 15}, {100, 150, 150});
-    const std::vector<Simulation> all{Simulation(test::shipped_car(), s)};
+    const std::vector<Simulation> all{Simulation(test::paper_car(), s)};
     Batch doubles(all, {.threads = 1}), singles(all, {.threads = 1, .precision = Precision::single_precision});
     doubles.advance(15000), singles.advance(15000);
     const State<double> a = doubles.state(0), b = singles.state(0);

@@ -45,10 +45,10 @@ TEST(Peak, DoesAsManyOperationsAsItSays) {
 
 TEST(Operations, OfAStepAreThoseOfItsTurnsAndABitMore) {
     ScenarioDescription scenario = bend();
-    const OperationCount turn = operations_of_a_turn(Simulation(test::shipped_car(), scenario));
-    const OperationCount ab3 = operations_of_a_step(Simulation(test::shipped_car(), scenario));
+    const OperationCount turn = operations_of_a_turn(Simulation(test::paper_car(), scenario));
+    const OperationCount ab3 = operations_of_a_step(Simulation(test::paper_car(), scenario));
     scenario.solver.integrator = "rk4";
-    const OperationCount rk4 = operations_of_a_step(Simulation(test::shipped_car(), scenario));
+    const OperationCount rk4 = operations_of_a_step(Simulation(test::paper_car(), scenario));
     // 50 numbers with three past rates each, twelve closed coordinates at most and an orientation.
     EXPECT_GT(ab3.total(), turn.total());
     EXPECT_LT(ab3.total() - turn.total(), 2 * 50 * 3 + 100);
@@ -68,7 +68,7 @@ TEST(PathError, IsTheLargestDistance) {
 TEST(Trials, ConvergeToTheReference) {
     ScenarioDescription scenario = lane_change();
     scenario.duration = 4;
-    const VehicleDescription car = test::shipped_car();
+    const VehicleDescription car = test::paper_car();
     const Path reference = reference_path(car, scenario);
     const TrialResult coarse = run_trial(car, scenario, {"ab3", 2e-3}, reference, 1),
                       fine = run_trial(car, scenario, {"ab3", 1e-3}, reference, 1);
@@ -78,7 +78,7 @@ TEST(Trials, ConvergeToTheReference) {
 }
 
 TEST(Steadiness, AdvancesTheRunByWhatItTimed) {
-    Simulation timed(test::shipped_car(), bend()), alone(test::shipped_car(), bend());
+    Simulation timed(test::paper_car(), bend()), alone(test::paper_car(), bend());
     const Steadiness s = steadiness(timed, 2000);
     while (alone.steps_taken() < 2000) alone.advance();
     EXPECT_EQ(timed.steps_taken(), 2000);
@@ -88,7 +88,7 @@ TEST(Steadiness, AdvancesTheRunByWhatItTimed) {
 }
 
 TEST(Fleet, IsOfCarsThatDiffer) {
-    const auto cars = fleet(test::shipped_car(), 3);
+    const auto cars = fleet(test::paper_car(), 3);
     for (auto& car : cars) {
         for (int i = 0; i < 100; ++i) ASSERT_FALSE(car->advance());
     }

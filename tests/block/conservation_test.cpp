@@ -102,7 +102,7 @@ TEST(Energy, AdaptiveMethodHoldsItsTolerance) {
 }
 
 TEST(Momentum, StaysWithoutExternalForces) {
-    VehicleDescription car = test::shipped_car();
+    VehicleDescription car = test::paper_car();
     car.gravity = 0;
     car.aerodynamics.drag_area = 0;
     for (const ChassisChart chart : {ChassisChart::quaternion, ChassisChart::bryant}) {
@@ -145,7 +145,7 @@ TEST(EnergyBalance, HoldsForADrivenBrakedSteeredCarAtTheMethodsOrder) {
     const auto worst = [&](const char* method, double step) {
         s.solver.integrator = method;
         s.solver.step = step;
-        Simulation simulation(test::shipped_car(), s);
+        Simulation simulation(test::paper_car(), s);
         double largest = 0;
         while (!simulation.finished()) {
             if (const auto end = simulation.advance()) ADD_FAILURE() << end->message;

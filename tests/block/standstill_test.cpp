@@ -10,7 +10,7 @@ TEST(Standstill, ACarOnASlopeWithTheBrakeOnDoesNotCreep) {
     ScenarioDescription s = test::scenario(60);
     s.road.grade = 0.15;
     s.brake = test::table({0, 1}, {0.5, 0.5});
-    Simulation simulation(test::shipped_car(), s);
+    Simulation simulation(test::paper_car(), s);
     const Vec3<double> start = simulation.state().position();
     double farthest = 0;
     while (!simulation.finished()) {
@@ -24,13 +24,13 @@ TEST(Standstill, ACarOnASlopeWithTheBrakeOnDoesNotCreep) {
 TEST(Standstill, WithoutTheBrakeItRollsDown) {
     ScenarioDescription s = test::scenario(2);
     s.road.grade = 0.15;
-    Simulation simulation(test::shipped_car(), s);
+    Simulation simulation(test::paper_car(), s);
     test::run_to_end(simulation);
     EXPECT_LT(simulation.state().position()[0], -1);
 }
 
 TEST(Standstill, NothingDriftsOnTheFlat) {
-    Simulation simulation(test::shipped_car(), test::scenario(60));
+    Simulation simulation(test::paper_car(), test::scenario(60));
     const State<double> start = simulation.state();
     test::run_to_end(simulation);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(simulation.state().position()[i], start.position()[i], 1e-9);
@@ -40,7 +40,7 @@ TEST(Standstill, NothingDriftsOnTheFlat) {
 TEST(Standstill, ABrakedCarStopsAndStays) {
     ScenarioDescription s = test::scenario(10, 20);
     s.brake = test::table({0.5, 0.8, 10}, {0, 0.5, 0.5});
-    Simulation simulation(test::shipped_car(), s);
+    Simulation simulation(test::paper_car(), s);
     while (simulation.time() < 8 && !simulation.finished()) ASSERT_FALSE(simulation.advance());
     const Vec3<double> stopped = simulation.state().position();
     test::run_to_end(simulation);
@@ -51,7 +51,7 @@ TEST(Standstill, ABrakedCarStopsAndStays) {
 TEST(Start, FromRestTheCarDrivesOff) {
     ScenarioDescription s = test::scenario(5);
     s.drive = test::table({0, 0.5, 5}, {0, 600, 600});
-    Simulation simulation(test::shipped_car(), s);
+    Simulation simulation(test::paper_car(), s);
     test::run_to_end(simulation);
     // T / R_e less rolling resistance over the mass with its wheels: about 1.6 m/s^2 for 4.75 s.
     const double rotating = 4 * 0.85 / (0.288 * 0.288),
@@ -63,7 +63,7 @@ TEST(RollOver, RunsToTheEndWithFiniteNumbers) {
     ScenarioDescription s = test::scenario(5);
     s.initial.velocity = {0, 25, 0};
     s.initial.angular_velocity = {120 * std::numbers::pi / 180, 0, 0};
-    Simulation simulation(test::shipped_car(), s);
+    Simulation simulation(test::paper_car(), s);
     double most_tilted = 1;
     while (!simulation.finished()) {
         if (const auto end = simulation.advance()) FAIL() << end->message;
@@ -75,7 +75,7 @@ TEST(RollOver, RunsToTheEndWithFiniteNumbers) {
 }
 
 TEST(Equilibrium, HasThePublishedLoadsHeightsAndStrutLength) {
-    Simulation simulation(test::shipped_car(), test::scenario(1));
+    Simulation simulation(test::paper_car(), test::scenario(1));
     const Sample s = simulation.sample();
     // Vehicle data, 2.1: 3059 N front and 2581 N rear for g = 9.81; 2.3: strut 531.83 mm; heights 0.278 F, 0.280 R.
     for (std::size_t i = 0; i < 4; ++i) {

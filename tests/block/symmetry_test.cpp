@@ -2,8 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <fstream>
+#include <sstream>
 
+#include "hamilcar/io/tir_file.hpp"
 #include "hamilcar/run/channels.hpp"
+#include "hamilcar/tire/mirrored.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/car.hpp"
 
@@ -30,15 +34,15 @@ Mirrored mirror(const std::string& name) {
         const auto at = name.find(from);
         if (at != std::string::npos) other = name.substr(0, at) + to + name.substr(at + from.size());
     }
-    for (const char* odd : {".y", "lateral", "roll", "yaw", "input.rack", "wheel.steer", "bryant.1", "bryant.3"}) {
+    for (const char* odd : {".y", "lateral", "roll", "yaw", "input.rack", "wheel.steer", "bryant.1", "bryant.3",
+                            "slip_angle", "inclination", "aligning_moment", "overturning_moment"}) {
         const bool bar = name.find("anti_roll_bar") != std::string::npos;
         if (!bar && name.find(odd) != std::string::npos) return {other, -1};
     }
     return {other, 1};
 }
 
-TEST(Mirror, SteeringTheOtherWayMirrorsEveryChannel) {
-    const VehicleDescription car = test::shipped_car();
+void expect_mirrored(const VehicleDescription& car) {
     Simulation left(car, lane_change(1)), right(car, lane_change(-1));
     const auto channels = all_channels(car);
     double worst = 0;
@@ -61,10 +65,29 @@ TEST(Mirror, SteeringTheOtherWayMirrorsEveryChannel) {
     std::printf("largest relative difference: %.1e\n", worst);
 }
 
+TEST(Mirror, SteeringTheOtherWayMirrorsEveryChannel) {
+    expect_mirrored(test::paper_car());
+}
+
+// Tires with ply steer and conicity: the right one is the left one's mirror image.
+TEST(Mirror, SkewTiresAreMirroredFromSideToSide) {
+    std::ostringstream file;
+    file << std::ifstream(test::source_path("vehicles/tires/pacejka_205_60_r15.tir")).rdbuf();
+    std::string text = file.str();
+    text.replace(text.find("'SYMMETRIC'"), 11, "'LEFT'");
+    const MagicFormulaDescription left = io::tir_from(io::parse_property_file(text, "left.tir")).tire;
+    ASSERT_NE(left.coefficients[PHY1], 0);
+    VehicleDescription car = test::shipped_car();
+    for (std::size_t i = 0; i < car.corners.size(); ++i) {
+        car.corners[i].tire = i % 2 == 0 ? TireDescription(left) : mirrored(TireDescription(left));
+    }
+    expect_mirrored(car);
+}
+
 TEST(FarAway, ChangesNothing) {
     ScenarioDescription far = lane_change();
     far.initial.position = {10e3, -10e3};
-    Simulation here(test::shipped_car(), lane_change()), there(test::shipped_car(), far);
+    Simulation here(test::paper_car(), lane_change()), there(test::paper_car(), far);
     test::run_to_end(here);
     test::run_to_end(there);
     const Vec3<double> moved = Vec3<double>(there.state().position()) - Vec3<double>(here.state().position());
@@ -84,7 +107,7 @@ TEST(Charts, TakeTheSamePath) {
     bryant.solver.chart = ChassisChart::bryant;
     ScenarioDescription quaternion = lane_change();
     bryant.solver.integrator = quaternion.solver.integrator = "rk4";
-    Simulation a(test::shipped_car(), bryant), b(test::shipped_car(), quaternion);
+    Simulation a(test::paper_car(), bryant), b(test::paper_car(), quaternion);
     test::run_to_end(a);
     test::run_to_end(b);
     EXPECT_LT((a.state().position() - b.state().position()).norm(), 1e-8);
@@ -93,7 +116,7 @@ TEST(Charts, TakeTheSamePath) {
 TEST(ConstraintModes, TakeTheSamePath) {
     ScenarioDescription stabilized = lane_change();
     stabilized.solver.constraints = ConstraintMode::stabilized;
-    Simulation a(test::shipped_car(), stabilized), b(test::shipped_car(), lane_change());
+    Simulation a(test::paper_car(), stabilized), b(test::paper_car(), lane_change());
     test::run_to_end(a);
     test::run_to_end(b);
     EXPECT_LT((a.state().position() - b.state().position()).norm(), 1e-6);
@@ -101,7 +124,7 @@ TEST(ConstraintModes, TakeTheSamePath) {
 }
 
 TEST(Repeatability, TwoRunsGiveTheSameBytes) {
-    Simulation a(test::shipped_car(), lane_change()), b(test::shipped_car(), lane_change());
+    Simulation a(test::paper_car(), lane_change()), b(test::paper_car(), lane_change());
     test::run_to_end(a);
     test::run_to_end(b);
     EXPECT_EQ(std::memcmp(&a.state(), &b.state(), sizeof(State<double>)), 0);
@@ -111,7 +134,7 @@ TEST(Step, AllocatesNothing) {
     for (const Method& method : methods) {
         ScenarioDescription s = lane_change();
         s.solver.integrator = method.name;
-        Simulation simulation(test::shipped_car(), s);
+        Simulation simulation(test::paper_car(), s);
         const test::AllocationGuard guard;
         for (int i = 0; i < 50; ++i) simulation.advance();
         EXPECT_EQ(guard.allocations(), 0) << method.name;

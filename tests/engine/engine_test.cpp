@@ -12,7 +12,7 @@ namespace hamilcar {
 namespace {
 
 State<double> driven_by(const Engine& engine, const ScenarioDescription& scenario, long steps) {
-    EngineCar car(engine, Simulation(test::shipped_car(), scenario));
+    EngineCar car(engine, Simulation(test::paper_car(), scenario));
     car.advance(steps);
     return car.state();
 }

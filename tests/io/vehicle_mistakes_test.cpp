@@ -8,15 +8,10 @@
 namespace hamilcar::io {
 namespace {
 
-const std::string& car_text() {
-    static const std::string text = read_file(repository_path("vehicles/bmw_323i.toml"));
-    return text;
-}
-
 class BadVehicleFile : public testing::TestWithParam<BadInput> {};
 
 TEST_P(BadVehicleFile, IsToldWithPlaceKeyValueAndExpectation) {
-    expect_refused(car_text(), GetParam(), [](const std::string& path) { read_vehicle(path); });
+    expect_refused(shipped_car_text(), GetParam(), [](const std::string& path) { read_vehicle(path); });
 }
 
 const std::vector<BadInput> bad_vehicles{
@@ -60,8 +55,8 @@ const std::vector<BadInput> bad_vehicles{
      "color",
      {"key 'color' = 'red' is unknown: expected", "'chassis'", "'aerodynamics'"}},
     {"UnknownKeyOfATire",
-     "friction = 1.0",
-     "friction = 1.0\ngrip = 2",
+     "carcass_damping_s = 0.004",
+     "carcass_damping_s = 0.004\ngrip = 2",
      "grip",
      {"key 'tire.road.grip' = 2 is unknown"}},
     {"TomlSyntax", "mass_kg = 1002.0", "mass_kg = = 2", "= 2", {"not valid TOML", "could not determine value type"}},
@@ -97,10 +92,10 @@ const std::vector<BadInput> bad_vehicles{
      "\"mcpherson\"",
      {"'axle[front].suspension' = \"mcpherson\"", "one of 'macpherson', 'double_wishbone'", "mean 'macpherson'?"}},
     {"UnknownTireModel",
-     "model = \"linear\"",
+     "model = \"magic_formula\"",
      "model = \"lineal\"",
      "\"lineal\"",
-     {"'tire.road.model' = \"lineal\"", "one of 'linear' or 'spring'", "did you mean 'linear'?"}},
+     {"'tire.road.model' = \"lineal\"", "one of 'linear', 'spring', 'magic_formula'", "did you mean 'linear'?"}},
     {"UnknownTire", "tire = \"road\"", "tire = \"raod\"", "\"raod\"", {"'axle[front].tire' = \"raod\"", "'road'"}},
     {"ZeroDirection",
      "rack_axis = [0.0, 1.0, 0.0]",

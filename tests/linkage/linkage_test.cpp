@@ -20,7 +20,7 @@ constexpr std::array times{0.0, 0.21, 0.55};
 
 TEST(Linkage, EverySuspensionOfTheListIsTestedHere) {
     std::set<std::size_t> kinds;
-    for (const CornerDescription& corner : test::shipped_car().corners) kinds.insert(corner.suspension.index());
+    for (const CornerDescription& corner : test::paper_car().corners) kinds.insert(corner.suspension.index());
     EXPECT_EQ(kinds.size(), std::variant_size_v<Suspension<double>>) << "add a corner with the new suspension";
 }
 

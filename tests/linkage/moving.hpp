@@ -95,7 +95,7 @@ private:
 // Calls check(suspension, moving) for every one of them.
 template <class Check>
 void for_every_linkage(Check&& check) {
-    for (const CornerDescription& corner : test::shipped_car().corners) {
+    for (const CornerDescription& corner : test::paper_car().corners) {
         SCOPED_TRACE(corner.name);
         std::visit([&](const auto& s) { check(s, Moving<std::decay_t<decltype(s)>>(s)); },
                    make_suspension<double>(corner.suspension));

@@ -37,7 +37,7 @@ CarState at_design(const VehicleDescription& car, double speed) {
     CarState state;
     state.velocity = {speed, 0, 0};
     for (const CornerDescription& corner : car.corners) {
-        const double radius = std::visit([](const auto& tire) { return tire.rolling_radius; }, corner.tire);
+        const double radius = casing_of(corner.tire).rolling_radius;
         state.corners.push_back({.spin = speed / radius});
         if (const auto* strut = std::get_if<MacPhersonDescription>(&corner.suspension))
             state.corners.back().independent =
@@ -47,7 +47,7 @@ CarState at_design(const VehicleDescription& car, double speed) {
 }
 
 struct Case {
-    VehicleDescription car = test::shipped_car();
+    VehicleDescription car = test::paper_car();
     Road road;
     double speed = 20;
     Inputs (*inputs)(double) = straight;

@@ -19,7 +19,7 @@ struct Contact {
 };
 
 Contact find_contact(const CornerDescription& corner, const Road& road, const Body& carrier) {
-    const double radius = std::visit([](const auto& tire) { return tire.radius; }, corner.tire);
+    const double radius = casing_of(corner.tire).radius;
     Contact at;
     at.normal = Vector3d(-road.grade, -road.bank, 1).normalized();
     at.spin_axis = carrier.rotation * to_vector(corner.wheel.spin_axis).normalized();

@@ -81,7 +81,7 @@ void add_bodies(ComposedSpokeDescription& spoke) {
 }
 
 void add_wheels(const ComposedSample& sample, const Place& place, ComposedSpokeDescription& spoke) {
-    const CornerDescription corner = test::shipped_car().corners[0];
+    const CornerDescription corner = test::paper_car().corners[0];
     const bool solid = sample.wheels.size() == 2 && sample.keyword != "twist_beam";
     for (const CarriedPoint& at : sample.wheels) {
         ComposedWheelDescription& wheel = spoke.wheels.emplace_back();

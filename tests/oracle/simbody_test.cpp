@@ -28,7 +28,7 @@ Gap gap_between(const oracle::CarState& one, const oracle::CarState& other) {
 
 // Runs both and returns the largest gap over the run, looked at ten times a second.
 Gap largest_gap(const ScenarioDescription& scenario) {
-    const VehicleDescription car = test::shipped_car();
+    const VehicleDescription car = test::paper_car();
     Simulation simulation(car, scenario);
     oracle::SimbodyCar simbody(car, {scenario.road.grade, scenario.road.bank, scenario.road.friction});
     const auto inputs = oracle::inputs_of(simulation);
@@ -110,7 +110,7 @@ protected:
         return s;
     }
 
-    Simulation simulation{test::shipped_car(), bend()};
+    Simulation simulation{test::paper_car(), bend()};
     std::function<oracle::Inputs(double)> inputs = oracle::inputs_of(simulation);
     oracle::SimbodyCar free{simulation.vehicle(), {}}, strut{simulation.vehicle(), {}, GetParam()};
 };

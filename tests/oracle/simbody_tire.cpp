@@ -23,7 +23,7 @@ struct Contact {
 
 Contact find_contact(const Parts& parts, std::size_t i, int tire, const CarMotion& car) {
     const ComposedWheelDescription& wheel = parts.wheels[i].description;
-    const double radius = std::visit([](const auto& description) { return description.radius; }, wheel.tire);
+    const double radius = casing_of(wheel.tire).radius;
     const Vec3& axis = car.wheels[i].spin_axis;
     const Vec3 center = car.wheels[i].center + (tire == 0 ? 0.5 : -0.5) * wheel.dual_spacing * axis;
     Contact result;
@@ -117,7 +117,7 @@ double tire_energy(const Parts& parts, std::size_t i, int which, const CarMotion
     const double depth = find_contact(parts, i, which, car).depth;
     const TireDescription& description = parts.wheels[i].description.tire;
     if (std::holds_alternative<LinearTireDescription>(description) && depth <= 0) return 0;
-    return std::visit([&](const auto& tire) { return tire.vertical_stiffness * depth * depth / 2; }, description);
+    return casing_of(description).vertical_stiffness * depth * depth / 2;
 }
 
 }  // namespace hamilcar::oracle

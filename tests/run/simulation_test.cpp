@@ -29,7 +29,7 @@ TEST(Channels, HaveUniqueNamesUnitsAndMeanings) {
 }
 
 TEST(Channels, AreChosenByNameOrPrefix) {
-    const auto all = all_channels(test::shipped_car());
+    const auto all = all_channels(test::paper_car());
     EXPECT_EQ(select_channels(all, {"chassis.position.x"}).size(), 1u);
     EXPECT_EQ(select_channels(all, {"chassis.position.*"}).size(), 3u);
     EXPECT_GT(select_channels(all, {}).size(), 10u);
@@ -64,9 +64,9 @@ TEST(Channels, VelocitiesAreTheRatesOfPositions) {
     s.solver.integrator = "rk4";
     s.steering_input = SteeringInput::rack;
     s.steering = test::table({0.2, 1, 2}, {0, 0.005, 0.005});
-    Simulation simulation(test::shipped_car(), s);
+    Simulation simulation(test::paper_car(), s);
     const auto channels =
-        select_channels(all_channels(test::shipped_car()),
+        select_channels(all_channels(test::paper_car()),
                         {"chassis.position.y", "chassis.velocity.y", "chassis.angle.yaw", "chassis.rate.yaw",
                          "front_left.wheel.travel", "front_left.spring.length", "front_left.damper.velocity"});
     std::vector<std::vector<double>> rows;
@@ -84,7 +84,7 @@ TEST(Channels, VelocitiesAreTheRatesOfPositions) {
 
 TEST(Record, WritesTheStartEveryIntervalAndTheLastState) {
     ScenarioDescription s = test::scenario(0.026);
-    Simulation simulation(test::shipped_car(), s);
+    Simulation simulation(test::paper_car(), s);
     std::vector<double> times;
     const RunSummary summary = record(
         simulation, {}, 0.01, [&](const Sample& sample, const std::vector<double>&) { times.push_back(sample.time); },
@@ -100,12 +100,12 @@ TEST(Simulation, RefusesAGainBeyondTheLimitAndTheRackBeyondItsStops) {
     s.solver.constraints = ConstraintMode::stabilized;
     s.solver.stabilization = StabilizationRule::value;
     s.solver.stabilization_gain = 546;
-    EXPECT_THROW(Simulation(test::shipped_car(), s), io::Error);
+    EXPECT_THROW(Simulation(test::paper_car(), s), io::Error);
     s.solver.stabilization_gain = 545;
-    EXPECT_NO_THROW(Simulation(test::shipped_car(), s));
+    EXPECT_NO_THROW(Simulation(test::paper_car(), s));
     s.steering_input = SteeringInput::rack;
     s.steering = test::table({0, 1}, {0, 0.08});
-    EXPECT_THROW(Simulation(test::shipped_car(), s), io::Error);
+    EXPECT_THROW(Simulation(test::paper_car(), s), io::Error);
 }
 
 // (57) and (58) undo each other: the velocities asked for at the start are those that come out, in both charts, with the
@@ -119,7 +119,7 @@ TEST(Simulation, StartsWithTheVelocitiesItWasGiven) {
         s.solver.chart = chart;
         s.steering_input = SteeringInput::rack;
         s.steering = {{-1, 1}, {-0.01, 0.01}, Interpolation::linear};
-        const Simulation simulation(test::shipped_car(), s);
+        const Simulation simulation(test::paper_car(), s);
         const Sample start = simulation.sample();
         EXPECT_EQ(start.input.rack.rate, 0.01);
         Spatial<double> expected;
@@ -130,12 +130,12 @@ TEST(Simulation, StartsWithTheVelocitiesItWasGiven) {
 }
 
 TEST(Channels, AreNotDoubledByOverlappingPatterns) {
-    const auto all = all_channels(test::shipped_car());
+    const auto all = all_channels(test::paper_car());
     EXPECT_EQ(select_channels(all, {"chassis.position.*", "chassis.position.x"}).size(), 3u);
 }
 
 TEST(AdaptiveMethod, GivesUpInsteadOfHangingWhereNothingIsFinite) {
-    VehicleDescription car = test::shipped_car();
+    VehicleDescription car = test::paper_car();
     for (CornerDescription& corner : car.corners)
         std::get<LinearTireDescription>(corner.tire).vertical_stiffness = 1e30;
     ScenarioDescription s = test::scenario(1, 20);
@@ -159,7 +159,7 @@ TEST(Snapshot, ReplaysTheSameBits) {
         s.steering = test::table({0, 0.2, 0.5}, {0, 0.006, -0.002});
         ScenarioDescription detour = s;
         detour.steering = test::table({0, 0.3}, {0, -0.008});
-        Simulation simulation(test::shipped_car(), s);
+        Simulation simulation(test::paper_car(), s);
         const Schedule own = simulation.schedule(), other(detour, simulation.vehicle().steering);
         const auto advance = [&] {
             for (int i = 0; i < 100; ++i) ASSERT_FALSE(simulation.advance());
@@ -185,7 +185,7 @@ TEST(Snapshot, ReplaysTheSameBits) {
 }
 
 TEST(Snapshot, AllocatesNothing) {
-    Simulation simulation(test::shipped_car(), test::scenario(1, 20));
+    Simulation simulation(test::paper_car(), test::scenario(1, 20));
     for (int i = 0; i < 20; ++i) simulation.advance();
     Snapshot here;
     const test::AllocationGuard guard;
@@ -196,9 +196,9 @@ TEST(Snapshot, AllocatesNothing) {
 
 TEST(EnergyBalance, IsSaidToBeMissingWhereNobodyKeepsIt) {
     ScenarioDescription s = test::scenario(0.1, 20);
-    Simulation with(test::shipped_car(), s);
+    Simulation with(test::paper_car(), s);
     s.solver.energy_balance = false;
-    Simulation without(test::shipped_car(), s);
+    Simulation without(test::paper_car(), s);
     test::run_to_end(with), test::run_to_end(without);
     EXPECT_TRUE(std::isnan(without.sample().energy.balance()));
     State<double> same = with.state();
@@ -211,7 +211,7 @@ TEST(StabilizationSweep, HasItsLeastViolationInsideTheStableRange) {
     ScenarioDescription s = test::scenario(4, 15);
     s.steering_input = SteeringInput::rack;
     s.steering = test::table({0.5, 1, 2, 3}, {0, 0.006, -0.006, 0});
-    const auto runs = stabilization_sweep(test::shipped_car(), s, {20, 250, 500, 560, 800}, 0.001);
+    const auto runs = stabilization_sweep(test::paper_car(), s, {20, 250, 500, 560, 800}, 0.001);
     EXPECT_LT(runs[1].rms_norm, runs[0].rms_norm);
     EXPECT_LT(runs[1].rms_norm, runs[2].rms_norm);
     EXPECT_FALSE(runs[2].blew_up);

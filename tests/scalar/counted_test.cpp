@@ -93,7 +93,7 @@ State<double> on_the_move(const Model<double>& model, const Input<double>& input
 
 // In mode and chart of the given kind, the rate of every number of the state with both scalars.
 void expect_same_bits(ChassisChart chart, double gain) {
-    const VehicleDescription car = test::shipped_car();
+    const VehicleDescription car = test::paper_car();
     Model<double> model = test::make_model(car);
     model.chart = chart, model.stabilization_gain = gain;
     const Model<Counted> counting{.vehicle = Vehicle<Counted>(car),

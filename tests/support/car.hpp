@@ -1,4 +1,4 @@
-// The shipped car and variants of it, for tests that need a whole vehicle.
+// The car on the paper's tire and variants of it, for tests that need a whole vehicle.
 #pragma once
 
 #include "hamilcar/block/initial_process.hpp"
@@ -11,14 +11,19 @@ inline std::string source_path(const std::string& relative) {
     return std::string(HAMILCAR_SOURCE_DIR) + "/" + relative;
 }
 
+inline VehicleDescription paper_car() {
+    return io::read_vehicle(source_path("vehicles/bmw_323i_paper.toml"));
+}
+
+// The shipped car as it is, on Magic Formula tires.
 inline VehicleDescription shipped_car() {
     return io::read_vehicle(source_path("vehicles/bmw_323i.toml"));
 }
 
-// The shipped car without anything that takes energy, and smooth: no dampers, no drag, tires that are bilateral
+// The car without anything that takes energy, and smooth: no dampers, no drag, tires that are bilateral
 // vertical springs. Its stops stay; a test keeps the travel inside them.
 inline VehicleDescription conservative_car() {
-    VehicleDescription car = shipped_car();
+    VehicleDescription car = paper_car();
     for (CornerDescription& corner : car.corners) {
         corner.damper = {{-1, 1}, {0, 0}};
         const auto& tire = std::get<LinearTireDescription>(corner.tire);

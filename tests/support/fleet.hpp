@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "support/car.hpp"
+#include "support/tires.hpp"
 
 namespace hamilcar::test {
 
@@ -21,10 +22,7 @@ inline VehicleDescription shipped(const std::string& name) {
 // Nothing that takes energy or has a kink: no dampers, no drag, no stops, tires that are bilateral vertical springs.
 inline VehicleDescription made_conservative(VehicleDescription car) {
     const DamperDescription none{{-1, 1}, {0, 0}};
-    const auto soften = [](TireDescription& any) {
-        const auto& tire = std::get<LinearTireDescription>(any);
-        any = SpringTireDescription{tire.radius, tire.rolling_radius, tire.vertical_stiffness};
-    };
+    const auto soften = [](TireDescription& tire) { tire = spring_of(tire); };
     for (CornerDescription& corner : car.corners) {
         corner.damper = none, corner.bump = corner.rebound = {};
         soften(corner.tire);

@@ -16,7 +16,7 @@ constexpr double length_tolerance = 2e-4;  // [m]; hardpoints are printed to 0.1
 // One corner held at a wheel travel and a rack displacement.
 class Corner {
 public:
-    explicit Corner(int index) : model_(test::make_model(test::shipped_car())), index_(index) {
+    explicit Corner(int index) : model_(test::make_model(test::paper_car())), index_(index) {
         state_ = design_state(model_, Vec3<double>::Zero(), Mat3<double>::Identity());
         EXPECT_TRUE(assemble(model_, input_.rack, state_).assembled);
     }
@@ -50,7 +50,7 @@ public:
     // Of the steering axis, from the ball joint to the strut's top [deg].
     double caster_at(double travel) {
         at(travel);
-        const VehicleDescription car = test::shipped_car();
+        const VehicleDescription car = test::paper_car();
         const auto& points = std::get<MacPhersonDescription>(car.corners[0].suspension);
         const auto velocity = velocity_block(model_, state_, input_);
         return visit_spoke(model_.vehicle, velocity, index_, [&](const auto&, const auto&, const auto& spoke) {
@@ -161,7 +161,7 @@ TEST_P(Steer, FollowsTheRack) {
 
 // A strut whose tie rod ends on the chassis, as on a rear axle, does not hear the rack.
 TEST(UnsteeredStrut, IgnoresTheRack) {
-    VehicleDescription car = test::shipped_car();
+    VehicleDescription car = test::paper_car();
     std::get<MacPhersonDescription>(car.corners[0].suspension).steered = false;
     const Model<double> model = test::make_model(car);
     State<double> straight = design_state(model, Vec3<double>::Zero(), Mat3<double>::Identity());

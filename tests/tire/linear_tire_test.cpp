@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "hamilcar/tire/holding.hpp"
 #include "support/difference.hpp"
 #include "tire/rolling_tire.hpp"
 
@@ -32,7 +33,7 @@ TireContact<double> slipping(const LinearTireDescription& tire, double load, dou
 }
 
 TEST(LinearTire, SmallSteadySlipGivesStiffnessTimesSlip) {
-    const auto tire = test::shipped_tire();
+    const auto tire = test::paper_tire();
     const double load = front_load, kappa = 1e-3, c_y = lateral_stiffness(tire, load);
     for (const double speed : {1.0, 15.0, 40.0, -3.0}) {
         for (const double sign : {1.0, -1.0}) {
@@ -48,7 +49,7 @@ TEST(LinearTire, SmallSteadySlipGivesStiffnessTimesSlip) {
 
 // Published for this tire at the car's static loads: 664 N/deg in front, 579 N/deg at the rear.
 TEST(LinearTire, HasThePublishedCorneringStiffness) {
-    const auto tire = test::shipped_tire();
+    const auto tire = test::paper_tire();
     for (const auto& [load, published] : {std::pair{front_load, 664.0}, std::pair{rear_load, 579.0}}) {
         const auto side_force = [&, W = load](double angle) {
             return test::settled(tire, slipping(tire, W, 20, 0, -std::tan(angle))).Fy;
@@ -60,7 +61,7 @@ TEST(LinearTire, HasThePublishedCorneringStiffness) {
 // In steady slip the force is C kappa inside the friction circle and as large as friction allows outside, its direction
 // between that of C kappa and that of the slip.
 TEST(LinearTire, CombinedSteadySlipFollowsTheFrictionCircle) {
-    const auto tire = test::shipped_tire();
+    const auto tire = test::paper_tire();
     for (const double load : {front_load, 6000.0}) {
         const double c_y = lateral_stiffness(tire, load);
         for (const double road : {1.0, 0.4}) {
@@ -90,7 +91,7 @@ TEST(LinearTire, CombinedSteadySlipFollowsTheFrictionCircle) {
 }
 
 TEST(LinearTire, LockedWheelIsHeldBackAgainstItsSlidingVelocity) {
-    const auto tire = test::shipped_tire();
+    const auto tire = test::paper_tire();
     for (const double angle : {0.0, 0.4, 1.2, 2.5, -2.0}) {
         auto contact = test::loaded(tire, front_load);
         contact.v_x = contact.v_sx = 12 * std::cos(angle);
@@ -115,7 +116,7 @@ TireContact<double> random_contact(std::mt19937& source) {
 }
 
 TEST(LinearTire, NeverLeavesTheFrictionCircleAndOnlyPushes) {
-    const auto tire = test::shipped_tire();
+    const auto tire = test::paper_tire();
     const LinearTire<double> model(tire);
     std::mt19937 source(1);
     int touching = 0, at_limit = 0;
@@ -139,7 +140,7 @@ TEST(LinearTire, NeverLeavesTheFrictionCircleAndOnlyPushes) {
 }
 
 TEST(LinearTire, TurnsItsForceWithTheMirrorAndWithTheDirectionOfRolling) {
-    const LinearTire<double> model(test::shipped_tire());
+    const LinearTire<double> model(test::paper_tire());
     std::mt19937 source(2);
     for (int i = 0; i < 1000; ++i) {
         const auto contact = random_contact(source);
@@ -165,7 +166,7 @@ TEST(LinearTire, TurnsItsForceWithTheMirrorAndWithTheDirectionOfRolling) {
 }
 
 TEST(LinearTire, VerticalSpringIsTheGradientOfItsPotentialAndItsDamperResists) {
-    const auto tire = test::shipped_tire();
+    const auto tire = test::paper_tire();
     const LinearTire<double> model(tire);
     for (const double depth : {-0.01, 0.002, 0.017, 0.04}) {
         auto contact = test::loaded(tire, 0);
@@ -183,11 +184,12 @@ TEST(LinearTire, VerticalSpringIsTheGradientOfItsPotentialAndItsDamperResists) {
 }
 
 TEST(LinearTire, HoldsAtRestWithTheDeflectionsItNames) {
-    const auto tire = test::shipped_tire();
+    const auto tire = test::paper_tire();
     const LinearTire<double> model(tire);
     for (const auto& [x, y] : {std::pair{0.3, 0.0}, std::pair{0.0, -0.5}, std::pair{-0.2, 0.4}}) {
         auto contact = test::loaded(tire, front_load);
-        const auto deflection = model.holding(x, y, front_load);
+        const auto deflection =
+            holding(Tire<double>(model), test::loaded(tire, front_load), x * front_load, y * front_load);
         contact.u = deflection.u, contact.v = deflection.v;
         const auto force = model.force(contact);
         EXPECT_NEAR(force.Fx, x * front_load, 1e-9);
@@ -199,7 +201,7 @@ TEST(LinearTire, HoldsAtRestWithTheDeflectionsItNames) {
 
 // After a step of slip the missing force falls by e per relaxation length rolled, at any speed.
 TEST(LinearTire, RelaxesByRolledLength) {
-    const auto tire = test::shipped_tire();
+    const auto tire = test::paper_tire();
     for (const double speed : {2.0, 20.0, -10.0}) {
         for (const bool lateral : {true, false}) {
             const double sigma = lateral ? tire.relaxation_lateral : tire.relaxation_longitudinal;
@@ -224,7 +226,7 @@ TEST(LinearTire, RelaxesByRolledLength) {
 
 // Beyond the slip where sliding sets in, the surplus goes at 20 m/s per relaxation length, toward the limit.
 TEST(LinearTire, SlidingReturnsTheSurplusDeflection) {
-    const auto tire = test::shipped_tire();
+    const auto tire = test::paper_tire();
     const double limit = tire.friction / lateral_stiffness(tire, front_load);
     auto contact = test::loaded(tire, front_load);
     for (const double surplus : {0.0, 0.01, 0.5}) {
@@ -234,7 +236,7 @@ TEST(LinearTire, SlidingReturnsTheSurplusDeflection) {
 }
 
 TEST(LinearTire, RollingResistanceOpposesTheSpin) {
-    const auto tire = test::shipped_tire();
+    const auto tire = test::paper_tire();
     auto contact = test::loaded(tire, front_load);
     contact.omega = 70;
     const double full = tire.rolling_resistance * front_load * tire.rolling_radius;

@@ -80,7 +80,7 @@ double lateral_limit(const LinearTireDescription& tire) {
 
 // Below both limits: a spring, so a slow round costs nothing and a fast one only what the carcass damps.
 TEST(TirePassivity, StandingWellInsideTheLimitItIsASpring) {
-    const auto tire = test::shipped_tire();
+    const auto tire = test::paper_tire();
     const double reach = longitudinal_limit(tire);
     for (const double sense : {1.0, -1.0}) {
         const Vector<double, 2> center(0.4 * reach, -0.3 * reach);
@@ -99,7 +99,7 @@ TEST(TirePassivity, StandingWellInsideTheLimitItIsASpring) {
 
 // Led round so widely that it sticks and slides in turn: once the cycle repeats itself, it takes work.
 TEST(TirePassivity, StickingAndSlidingInTurnTakesWork) {
-    const auto tire = test::shipped_tire();
+    const auto tire = test::paper_tire();
     for (const double period : {0.1, 1.0, 10.0}) {
         for (const double radius : {0.06, 0.1, 0.3}) {
             for (const double sense : {1.0, -1.0}) {
@@ -143,7 +143,7 @@ class RandomHistories : public testing::TestWithParam<Rolling> {};
 // Repeated until the deflections return to where they were; then no store can pay for anything.
 TEST_P(RandomHistories, TakeWorkOverACycle) {
     const auto [speed, variation, slip] = GetParam();
-    const auto tire = test::shipped_tire();
+    const auto tire = test::paper_tire();
     std::mt19937 source(7);
     double least = 1, most = 0;
     for (int trial = 0; trial < 10; ++trial) {

@@ -6,8 +6,8 @@
 
 namespace hamilcar::test {
 
-inline LinearTireDescription shipped_tire() {
-    return std::get<LinearTireDescription>(shipped_car().corners[0].tire);
+inline LinearTireDescription paper_tire() {
+    return std::get<LinearTireDescription>(paper_car().corners[0].tire);
 }
 
 // A contact at rest under a vertical load; on a road of friction factor one.

@@ -11,6 +11,7 @@
 #include "hamilcar/scalar/dispatch.hpp"
 #include "hamilcar/vehicle/vehicle.hpp"
 #include "support/car.hpp"
+#include "support/tires.hpp"
 
 namespace hamilcar {
 namespace {
@@ -31,14 +32,16 @@ VehicleDescription stretched(VehicleDescription car) {
         if (corner.damper.force.size() > 1) corner.damper.force.back() *= 2;
         if (auto* strut = std::get_if<MacPhersonDescription>(&corner.suspension)) strut->ball_joint[2] += 0.01;
         if (auto* arm = std::get_if<SemiTrailingArmDescription>(&corner.suspension)) arm->outer_bush[2] += 0.01;
-        std::visit([](auto& tire) { tire.radius *= 1.05; }, corner.tire);
+        test::stretch(corner.tire, 1.05);
     }
     return car;
 }
 
 std::vector<Cars> cars() {
-    const VehicleDescription shipped = test::shipped_car(), conservative = test::conservative_car();
-    return {{shipped, stretched(shipped)}, {conservative, stretched(conservative)}};
+    const VehicleDescription shipped = test::paper_car(), conservative = test::conservative_car();
+    VehicleDescription mixed = shipped;  // a tire of another model at each corner
+    for (std::size_t i = 0; i < mixed.corners.size(); ++i) mixed.corners[i].tire = test::slip_tires()[i];
+    return {{shipped, stretched(shipped)}, {conservative, stretched(conservative)}, {mixed, stretched(mixed)}};
 }
 
 // What a model answered, number by number.
@@ -137,6 +140,7 @@ TEST(AnyNumber, CarriesEveryTire) {
                                            .v_sx = T(5) * x[7],
                                            .v_sy = T(5) * x[8],
                                            .v_x = T(30) * x[9],
+                                           .camber = T(0.2) * x[4],
                                            .omega = T(100) * x[9],
                                            .friction = T(0.9),
                                            .u = T(0.02) * x[10],
@@ -144,7 +148,7 @@ TEST(AnyNumber, CarriesEveryTire) {
             Answers<T> answers;
             answers.add(frame.point), answers.add(frame.longitudinal), answers.add(frame.lateral);
             for (const T& number : {frame.depth, frame.lever, force.Fx, force.Fy, force.Fz, force.elastic,
-                                    force.rolling_moment, force.u_rate, force.v_rate}) {
+                                    force.rolling_moment, force.Mx, force.Mz, force.u_rate, force.v_rate}) {
                 answers.add(number);
             }
             return answers;

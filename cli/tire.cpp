@@ -1,0 +1,136 @@
+// `hamilcar tire FILE`: a tire's curves as tables and pictures, its key figures, and what its file leaves open.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "commands.hpp"
+#include "hamilcar/analysis/tire_curves.hpp"
+#include "hamilcar/io/picture.hpp"
+#include "hamilcar/io/tir_file.hpp"
+
+namespace hamilcar::cli {
+
+namespace {
+
+constexpr double degree = 180 / std::numbers::pi;
+
+std::string csv(const std::vector<TireCurve>& curves, const char* first, double scale, const char* unit) {
+    std::string text = fmt::format("load [N],{} [{}],Fx [N],Fy [N],Mx [N m],My [N m],Mz [N m]\n", first, unit);
+    for (const TireCurve& curve : curves) {
+        for (std::size_t i = 0; i < curve.slip.size(); ++i) {
+            const TireForce<double>& f = curve.force[i];
+            text += fmt::format("{:.6g},{:.6g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g}\n", curve.load, scale * curve.slip[i],
+                                f.Fx, f.Fy, f.Mx, f.rolling_moment, f.Mz);
+        }
+    }
+    return text;
+}
+
+std::vector<io::Chart> page(const TireCurves& curves) {
+    const auto chart = [](const char* title, const char* x, const char* y, const std::vector<TireCurve>& family,
+                          double scale, double TireForce<double>::*what, const auto& label,
+                          const char* legend = "top left") {
+        io::Chart out{.title = title, .x_label = x, .y_label = y, .curves = {}, .vertical_marks = {}};
+        out.legend = legend;
+        for (std::size_t k = 0; k < family.size(); ++k) {
+            io::Curve curve{.label = label(k), .x = {}, .y = {}};
+            for (std::size_t i = 0; i < family[k].slip.size(); ++i) {
+                curve.x.push_back(scale * family[k].slip[i]), curve.y.push_back(family[k].force[i].*what);
+            }
+            out.curves.push_back(curve);
+        }
+        return out;
+    };
+    using F = TireForce<double>;
+    const auto load = [&](std::size_t k) { return fmt::format("{:.0f} N", curves.lateral[k].load); };
+    const auto angle = [&](std::size_t k) { return fmt::format("{:.0f} deg", degree * curves.combined_alpha[k]); };
+    return {chart("Longitudinal force", "slip [1]", "[N]", curves.longitudinal, 1, &F::Fx, load),
+            chart("Side force", "slip angle [deg]", "[N]", curves.lateral, degree, &F::Fy, load, "top right"),
+            chart("Aligning moment", "slip angle [deg]", "[N m]", curves.lateral, degree, &F::Mz, load),
+            chart("Longitudinal force at slip angles", "slip [1]", "[N]", curves.combined, 1, &F::Fx, angle),
+            chart("Side force at slip angles", "slip [1]", "[N]", curves.combined, 1, &F::Fy, angle, "bottom left"),
+            chart("Aligning moment at slip angles", "slip [1]", "[N m]", curves.combined, 1, &F::Mz, angle)};
+}
+
+nlohmann::json json_of(const io::TirFile& file, const std::vector<TireFigures>& figures) {
+    const MagicFormulaDescription& tire = file.tire;
+    nlohmann::json out{{"format", file.format},
+                       {"nominal_load_N", tire.nominal_load},
+                       {"unloaded_radius_m", tire.casing.radius},
+                       {"rolling_radius_m", tire.casing.rolling_radius},
+                       {"vertical_stiffness_N_per_m", tire.casing.vertical_stiffness},
+                       {"loads", nlohmann::json::array()},
+                       {"notes", file.notes}};
+    for (const TireFigures& f : figures) {
+        out["loads"].push_back({{"load_N", f.load},
+                                {"cornering_stiffness_N_per_deg", f.cornering_stiffness / degree},
+                                {"slip_stiffness_N", f.slip_stiffness},
+                                {"camber_stiffness_N_per_deg", f.camber_stiffness / degree},
+                                {"peak_friction_lateral", f.peak_y},
+                                {"at_slip_angle_deg", degree * f.peak_alpha},
+                                {"peak_friction_longitudinal", f.peak_x},
+                                {"at_slip", f.peak_kappa},
+                                {"locked_friction", f.sliding_x},
+                                {"pneumatic_trail_m", f.trail}});
+    }
+    return out;
+}
+
+void print_report(const std::string& path, const io::TirFile& file, const std::vector<TireFigures>& figures) {
+    const MagicFormulaDescription& t = file.tire;
+    fmt::print("{}: {}\n", path, file.format);
+    fmt::print(
+        "  unloaded radius {:.4f} m, rolling radius {:.4f} m, vertical stiffness {:.1f} N/mm, nominal load {:.0f} N\n",
+        t.casing.radius, t.casing.rolling_radius, 1e-3 * t.casing.vertical_stiffness, t.nominal_load);
+    fmt::print(
+        "  made for loads {:.0f} to {:.0f} N, slip {:g} to {:g}, slip angles {:.1f} to {:.1f} deg, camber {:.1f} to "
+        "{:.1f} deg\n",
+        t.load[0], t.load[1], t.slip[0], t.slip[1], degree * t.angle[0], degree * t.angle[1], degree * t.camber[0],
+        degree * t.camber[1]);
+    if (figures.back().load > t.load[1]) {
+        fmt::print("  above {:.0f} N the forces stay, so friction below falls with the load\n", t.load[1]);
+    }
+    fmt::print("\n  {:>8}{:>14}{:>12}{:>12}{:>20}{:>18}{:>9}{:>9}\n", "load", "cornering", "slip", "camber",
+               "lateral peak", "drive peak", "locked", "trail");
+    fmt::print("  {:>8}{:>14}{:>12}{:>12}{:>20}{:>18}{:>9}{:>9}\n", "[N]", "[N/deg]", "[kN]", "[N/deg]", "[1] at [deg]",
+               "[1] at [1]", "[1]", "[mm]");
+    for (const TireFigures& f : figures) {
+        fmt::print("  {:>8.0f}{:>14.1f}{:>12.2f}{:>12.1f}{:>11.3f} at {:>5.1f}{:>10.3f} at {:>4.3f}{:>9.3f}{:>9.1f}\n",
+                   f.load, f.cornering_stiffness / degree, 1e-3 * f.slip_stiffness, f.camber_stiffness / degree,
+                   f.peak_y, degree * f.peak_alpha, f.peak_x, f.peak_kappa, f.sliding_x, 1e3 * f.trail);
+    }
+    if (!file.notes.empty()) fmt::print("\n");
+    for (const std::string& note : file.notes) fmt::print("note: {}\n", note);
+}
+
+}  // namespace
+
+io::ExitCode tire(const Options& options) {
+    const io::TirFile file = io::read_tir(options.file);
+    const Tire<double> tire = make_tire<double>(TireDescription(file.tire));
+    std::vector<TireFigures> figures;
+    std::vector<double> loads;
+    for (const double share : {0.25, 0.5, 1.0, 1.5, 2.0}) loads.push_back(share * file.tire.nominal_load);
+    for (const double load : loads) figures.push_back(tire_figures(tire, load));
+    if (options.json) {
+        fmt::print("{}\n", json_of(file, figures).dump(2));
+    } else {
+        print_report(options.file, file, figures);
+    }
+    if (options.output.empty()) return io::ExitCode::ok;
+    const TireCurves curves = tire_curves(tire, loads);
+    make_folder(options.output);
+    write_file(options.output + "/longitudinal.csv", csv(curves.longitudinal, "slip", 1, "1"));
+    for (std::size_t i = 0; i < curves.combined.size(); ++i) {
+        write_file(fmt::format("{}/combined_{:.0f}_deg.csv", options.output, degree * curves.combined_alpha[i]),
+                   csv({curves.combined[i]}, "slip", 1, "1"));
+    }
+    write_file(options.output + "/lateral.csv", csv(curves.lateral, "slip angle", degree, "deg"));
+    io::write_page(options.output + "/tire.svg", options.file, page(curves), 3);
+    fmt::print(stderr, "wrote tables and a page of curves to {}\n", options.output);
+    return io::ExitCode::ok;
+}
+
+}  // namespace hamilcar::cli

@@ -1,0 +1,174 @@
+// The ground under a wheel. On a plane road it is the road; on any other it is the plane that fits the surface best under the
+// wheel's patch, so that a short obstacle is felt before the center is above it and never as a step (docs/models/roads.md).
+//
+// Heights are taken at five stations along the wheel's heading, on two lines abreast, weighted like a raised cosine:
+//
+//     mean   z = sum w h,   slope ahead = sum w a h / sum w a^2,   slope aside = (left - right) / (2 b)
+// All of it is evaluated with the wheel's velocity as a derivative, so the rate at which the plane itself rises under the
+// wheel's lowest point is exact, and with it the damper in the tire and the energy balance.
+#pragma once
+
+#include "hamilcar/math/dual.hpp"
+#include "hamilcar/math/spatial.hpp"
+#include "hamilcar/road/plane.hpp"
+#include "hamilcar/road/surface.hpp"
+
+namespace hamilcar {
+
+// What the ground is evaluated in: the number of a lane, and never in single precision, which 300 m from the origin would
+// know a height over ground to no better than 0.03 mm.
+template <class T>
+using RoadNumber = std::conditional_t<std::is_same_v<Element<T>, float>, double, Element<T>>;
+
+// A wheel in ground axes.
+template <class E>
+struct WheelAbove {
+    Vec3<E> center, velocity;  // [m, m/s]
+    Vec3<E> axis, axis_rate;   // unit, [1/s]
+    E radius;                  // [m]
+    int number;                // in the vehicle's order, for posts
+};
+
+// The plane under it, in ground axes.
+template <class E>
+struct FittedPlane {
+    Vec3<E> normal;
+    E offset;    // [m]
+    E friction;  // factor [1]
+    E rise;      // of the plane, along its normal, under the wheel's lowest point [m/s]
+};
+
+// The shape of the patch, in radii of the wheel.
+struct Patch {
+    static constexpr double half_length = 1.0 / 3, half_width = 0.25;
+    static constexpr std::array<double, 5> stations{-1, -0.5, 0, 0.5, 1};
+    static constexpr std::array<double, 5> weights{1.0 / 12, 3.0 / 12, 4.0 / 12, 3.0 / 12, 1.0 / 12};
+    static constexpr double second_moment = 2.0 / 12 * 1 + 6.0 / 12 * 0.25;  // sum of w a^2
+};
+
+template <class E>
+FittedPlane<E> fit_plane(const Surface& surface, const Vec3<E>& base, const E& base_friction,
+                         const WheelAbove<E>& wheel, double time) {
+    using D = Dual<E, 1>;  // value and rate
+    const auto moving = [](const E& value, const E& rate) { return D(value, std::array<E, 1>{rate}); };
+    Vec3<D> center, axis, n0;
+    for (int i = 0; i < 3; ++i) {
+        center[i] = moving(wheel.center[i], wheel.velocity[i]);
+        axis[i] = moving(wheel.axis[i], wheel.axis_rate[i]);
+        n0[i] = D(base[i]);
+    }
+    const Vec3<D> foot = center - n0 * n0.dot(center);
+    const D scale = D(1) / sqrt(max(axis[0] * axis[0] + axis[1] * axis[1], D(1e-6)));
+    const D ahead_x = axis[1] * scale, ahead_y = -axis[0] * scale;  // heading; to the left of it (-ahead_y, ahead_x)
+    const D a(wheel.radius * E(Patch::half_length)), b(wheel.radius * E(Patch::half_width));
+    D mean(0), ahead(0), aside(0);
+    E friction(0);
+    for (const double side : {-1.0, 1.0}) {
+        for (std::size_t i = 0; i < Patch::stations.size(); ++i) {
+            const D along = a * D(Patch::stations[i]), across = b * D(side), weight(0.5 * Patch::weights[i]);
+            const D x = foot[0] + along * ahead_x - across * ahead_y, y = foot[1] + along * ahead_y + across * ahead_x;
+            const D height = surface.height(x, y) - (n0[0] * x + n0[1] * y) / n0[2];
+            mean += weight * height;
+            ahead += weight * along * height;
+            aside += weight * across * height;
+            friction += weight.value() * E(surface.friction(value_of(x), value_of(y)));
+        }
+    }
+    const SignalValue<double> post = surface.post(wheel.number, time);
+    mean += moving(E(post.value), E(post.rate));
+    const D slope = ahead / (a * a * D(Patch::second_moment)), bank = aside / (b * b);
+    Vec3<D> normal(-slope * ahead_x + bank * ahead_y, -slope * ahead_y - bank * ahead_x, D(1));
+    const D length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + D(1));
+    for (int i = 0; i < 3; ++i) normal[i] = normal[i] / length;
+    const D offset = normal[0] * foot[0] + normal[1] * foot[1] + normal[2] * mean;
+
+    FittedPlane<E> out;
+    for (int i = 0; i < 3; ++i) out.normal[i] = normal[i].value();
+    out.offset = offset.value();
+    out.friction = base_friction * friction;
+    const E s = out.normal.dot(wheel.axis), c = sqrt(max(E(1) - s * s, E(1e-6)));
+    const Vec3<E> lowest = wheel.center - (out.normal - wheel.axis * s) * (wheel.radius / c);
+    out.rise = offset.partial(0);
+    for (int i = 0; i < 3; ++i) out.rise -= normal[i].partial(0) * lowest[i];
+    return out;
+}
+
+// A unit of a car above its surface, lane by lane.
+template <class E>
+struct UnevenGround {
+    static constexpr std::size_t most_lanes = 16;
+    struct Lane {
+        const Surface* surface;  // null: this lane's road is its plane
+        Vec3<E> base;            // normal of the plane, ground axes
+        E friction;              // factor of the plane
+        Vec3<E> position;        // of the unit's origin
+        Mat3<E> R;               // to ground axes
+        double time;             // [s]
+    };
+    std::array<Lane, most_lanes> lanes;
+    int count;
+    UnevenGround() {}
+};
+
+// What a tire is told of the ground.
+template <class T>
+struct WheelRoad {
+    RoadPlane<T> plane;
+    T rise;  // of the plane, along its normal, under the wheel's lowest point [m/s]
+};
+
+namespace detail {
+
+template <class T, class E = RoadNumber<T>>
+E road_number(const T& number, int lane_) {
+    return static_cast<E>(lane(number, lane_));
+}
+
+}  // namespace detail
+
+// The ground below one unit's wheels.
+template <class T>
+struct GroundBelow {
+    RoadPlane<T> plane;
+    const UnevenGround<RoadNumber<T>>* uneven;  // null where all lanes' roads are planes
+
+    // Under a wheel with tire radius `radius`, its carrier moving with `motion`; chassis axes. `numbers`: of the wheels that
+    // stand abreast in T, the first alone where they do not.
+    HAMILCAR_CORE WheelRoad<T> under(const Vec3<T>& center, const Vec3<T>& axis, const Spatial<T>& motion,
+                                     const T& radius, const std::array<int, 2>& numbers) const {
+        WheelRoad<T> road{plane, T(0)};
+        if (uneven) [[unlikely]]
+            fit(center, axis, motion, radius, numbers, road);
+        return road;
+    }
+
+private:
+    [[gnu::noinline]] void fit(const Vec3<T>& center, const Vec3<T>& axis, const Spatial<T>& motion, const T& radius,
+                               const std::array<int, 2>& numbers, WheelRoad<T>& road) const {
+        using E = RoadNumber<T>;
+        const Vec3<T> velocity = velocity_at<T>(motion, center), axis_rate = angular(motion).cross(axis);
+        for (int l = 0; l < lane_count<T>; ++l) {
+            // Lanes are cars, or wheels of one car.
+            const auto& at = uneven->lanes[static_cast<std::size_t>(l * uneven->count / lane_count<T>)];
+            if (!at.surface) continue;
+            const auto ground = [&](const Vec3<T>& v) -> Vec3<E> {
+                return at.R * Vec3<E>(detail::road_number(v[0], l), detail::road_number(v[1], l),
+                                      detail::road_number(v[2], l));
+            };
+            const bool abreast = uneven->count < lane_count<T>;
+            const FittedPlane<E> found =
+                fit_plane<E>(*at.surface, at.base, at.friction,
+                             {at.position + ground(center), ground(velocity), ground(axis), ground(axis_rate),
+                              detail::road_number(radius, l), numbers[abreast ? static_cast<std::size_t>(l) : 0]},
+                             at.time);
+            const Vec3<E> normal = at.R.transpose() * found.normal;
+            const auto put = [l](T& to, const E& value) { set_lane(to, l, static_cast<Element<T>>(value)); };
+            for (int i = 0; i < 3; ++i) put(road.plane.normal[i], normal[i]);
+            put(road.plane.offset, found.offset - found.normal.dot(at.position));
+            put(road.plane.friction, found.friction);
+            put(road.rise, found.rise);
+        }
+    }
+};
+
+}  // namespace hamilcar

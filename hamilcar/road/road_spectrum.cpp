@@ -1,0 +1,164 @@
+// Welch's spectrum, its bands and the class of a road; and a Fourier transform whose bits do not depend on the machine.
+#include "hamilcar/road/road_spectrum.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "hamilcar/scalar/sincos.hpp"
+
+namespace hamilcar {
+namespace {
+
+using Complex = std::complex<double>;
+
+// Written out: the operator of std::complex looks for infinities.
+Complex product(const Complex& a, const Complex& b) {
+    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+// The values at `from` on, less the straight line of least squares through them, times the window.
+void windowed(const std::vector<double>& profile, std::size_t from, const std::vector<double>& window,
+              std::vector<Complex>& out) {
+    const auto size = static_cast<double>(window.size());
+    const double middle = (size - 1) / 2;
+    double mean = 0, slope = 0;
+    for (std::size_t i = 0; i < window.size(); ++i) {
+        mean += profile[from + i] / size;
+        slope += profile[from + i] * (static_cast<double>(i) - middle);
+    }
+    slope /= size * (size * size - 1) / 12;
+    for (std::size_t i = 0; i < window.size(); ++i)
+        out[i] = window[i] * (profile[from + i] - mean - slope * (static_cast<double>(i) - middle));
+}
+
+// A line of the spectrum stands for half a resolution on either side of it; a band takes its share.
+double mean_density(const Spectrum& spectrum, double low, double high) {
+    double sum = 0;
+    const double first = std::max(0.0, std::floor(low / spectrum.resolution - 0.5));
+    for (auto k = static_cast<std::size_t>(first); k < spectrum.density.size(); ++k) {
+        const double left = (static_cast<double>(k) - 0.5) * spectrum.resolution;
+        if (left >= high) break;
+        sum += spectrum.density[k] * std::max(0.0, std::min(high, left + spectrum.resolution) - std::max(low, left));
+    }
+    return sum / (high - low);
+}
+
+// Bands of 1/`per_octave` octave, from 2^low to 2^high; beyond the lines there are none.
+void add_bands(const Spectrum& spectrum, int per_octave, double low, double high, std::vector<Band>& bands) {
+    const double end = (static_cast<double>(spectrum.density.size()) - 0.5) * spectrum.resolution;
+    const double shift = per_octave % 2 == 0 ? 0 : 0.5, rounding = 1e-9;  // of limits that are meant to coincide
+    const int last = static_cast<int>(std::floor(high * per_octave + shift + rounding));
+    for (int i = static_cast<int>(std::ceil(low * per_octave + shift - rounding)); i < last; ++i) {
+        const double from = std::exp2((i - shift) / per_octave), to = std::exp2((i + 1 - shift) / per_octave);
+        if (to > end) return;
+        bands.push_back({from, to, mean_density(spectrum, from, to)});
+    }
+}
+
+}  // namespace
+
+void fourier_transform(std::vector<Complex>& values) {
+    const std::size_t size = values.size();
+    if (!std::has_single_bit(size)) throw std::length_error("a Fourier transform takes a power of two of values");
+    for (std::size_t i = 1, mirrored = 0; i < size; ++i) {  // the index with its bits in reverse order
+        std::size_t bit = size >> 1;
+        for (; (mirrored & bit) != 0; bit >>= 1) mirrored ^= bit;
+        mirrored ^= bit;
+        if (i < mirrored) std::swap(values[i], values[mirrored]);
+    }
+    std::vector<Complex> turns(size / 2);
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+        const auto [s, c] = sincos(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(size));
+        turns[i] = {c, s};
+    }
+    for (std::size_t half = 1; half < size; half *= 2)
+        for (std::size_t from = 0; from < size; from += 2 * half)
+            for (std::size_t i = 0; i < half; ++i) {
+                Complex& a = values[from + i];
+                Complex& b = values[from + i + half];
+                const Complex turned = product(b, turns[i * (size / 2 / half)]);
+                b = a - turned;
+                a += turned;
+            }
+}
+
+double class_roughness(char road_class) {
+    if (road_class < 'A' || road_class > 'H') throw std::invalid_argument("a road class is a letter from A to H");
+    return std::ldexp(16e-6, 2 * (road_class - 'A'));
+}
+
+char class_of(double roughness) {
+    char road_class = 'A';
+    while (road_class < 'H' && roughness >= 2 * class_roughness(road_class)) ++road_class;
+    return road_class;
+}
+
+double Band::center() const {
+    return std::sqrt(low * high);
+}
+
+Spectrum spectrum(const std::vector<double>& profile, double spacing, std::size_t segment) {
+    if (!std::has_single_bit(segment) || segment < 4 || segment > profile.size())
+        throw std::length_error("a segment is a power of two of samples, from 4 to as many as the profile has");
+    std::vector<double> window(segment);
+    double squares = 0;
+    for (std::size_t i = 0; i < segment; ++i) {
+        const double s = sincos(std::numbers::pi * static_cast<double>(i) / static_cast<double>(segment)).sine;
+        window[i] = s * s;
+        squares += window[i] * window[i];
+    }
+    Spectrum out{1 / (spacing * static_cast<double>(segment)), std::vector<double>(segment / 2 + 1)};
+    std::vector<Complex> values(segment);
+    const std::size_t count = (profile.size() - segment) / (segment / 4) + 1;
+    for (std::size_t i = 0; i < count; ++i) {
+        windowed(profile, i * (segment / 4), window, values);
+        fourier_transform(values);
+        for (std::size_t k = 0; k <= segment / 2; ++k) out.density[k] += std::norm(values[k]);
+    }
+    for (double& density : out.density) density *= 2 * spacing / (squares * static_cast<double>(count));
+    out.density.front() /= 2;  // neither has a partner at a negative frequency
+    out.density.back() /= 2;
+    return out;
+}
+
+std::vector<Band> smoothed(const Spectrum& spectrum, int per_octave, double low, double high) {
+    std::vector<Band> bands;
+    add_bands(spectrum, per_octave, std::log2(low), std::log2(high), bands);
+    return bands;
+}
+
+std::vector<Band> smoothed(const Spectrum& spectrum) {
+    const double octaves = -4.5, thirds = -11.0 / 6, highest = 1.5;  // upper limits, powers of two
+    std::vector<Band> bands;
+    add_bands(spectrum, 1, -6.5, octaves, bands);
+    add_bands(spectrum, 3, octaves, thirds, bands);
+    add_bands(spectrum, 12, thirds, highest, bands);
+    const double resolved = 2 * spectrum.resolution;  // below, the window has let the mean and the line in
+    std::erase_if(bands, [&](const Band& band) { return band.low < resolved; });
+    return bands;
+}
+
+Roughness fitted(const std::vector<Band>& bands) {
+    double count = 0, x = 0, y = 0, xx = 0, xy = 0;
+    for (const Band& band : bands) {
+        if (!(band.density > 0)) continue;
+        const double u = std::log(band.center() / reference_frequency), v = std::log(band.density);
+        ++count, x += u, y += v, xx += u * u, xy += u * v;
+    }
+    if (count < 2) throw std::invalid_argument("a profile with fewer than two bands of roughness has no class");
+    const double slope = (count * xy - x * y) / (count * xx - x * x);
+    return {std::exp((y - slope * x) / count), -slope};
+}
+
+char classify(const std::vector<double>& profile, double spacing) {
+    // Long segments reach low frequencies, many segments scatter less: twice the longest wave that counts is enough.
+    const double enough = 2 / (spacing * lowest_frequency);
+    const std::size_t longest = std::bit_floor(profile.size() / 2);
+    const std::size_t segment = std::min(longest, std::bit_ceil(static_cast<std::size_t>(enough)));
+    return class_of(fitted(smoothed(spectrum(profile, spacing, segment))).at_reference);
+}
+
+}  // namespace hamilcar

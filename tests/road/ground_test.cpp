@@ -1,0 +1,170 @@
+// The plane under a wheel: on a plane road it is the road whatever way it is asked; on a surface it is the plane of least
+// squares; its rate is that of differences; and a lane asks as a lone car does.
+#include "hamilcar/road/ground.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "hamilcar/math/pack.hpp"
+#include "hamilcar/math/rotation.hpp"
+
+namespace hamilcar {
+namespace {
+
+constexpr double radius = 0.3;
+
+WheelAbove<double> rolling(double x, double y, double heading, double speed) {
+    const Vec3<double> axis(-std::sin(heading) * 0.999, std::cos(heading) * 0.999, std::sqrt(1 - 0.999 * 0.999));
+    return {.center = {x, y, radius - 0.015},
+            .velocity = {speed * std::cos(heading), speed * std::sin(heading), 0.1},
+            .axis = axis,
+            .axis_rate = Vec3<double>(0.02, -0.3, 0.4).cross(axis),
+            .radius = radius,
+            .number = 0};
+}
+
+Vec3<double> plane_normal(double grade, double bank) {
+    return PlaneRoad<double>(grade, bank, 1).normal;
+}
+
+TEST(Ground, OfAPlaneIsThePlane) {
+    const Surface nothing{RoadDescription{}};
+    const Vec3<double> n = plane_normal(0.2, -0.1);
+    for (const double heading : {0.0, 0.7, 2.9}) {
+        const auto found = fit_plane<double>(nothing, n, 0.8, rolling(3, -2, heading, 10), 0);
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(found.normal[i], n[i], 1e-14);
+        EXPECT_NEAR(found.offset, 0, 1e-14);
+        EXPECT_NEAR(found.friction, 0.8, 1e-15);
+        EXPECT_NEAR(found.rise, 0, 1e-12) << "a plane does not rise";
+    }
+}
+
+// A grid that is a slope of its own: the plane of a plane, elsewhere.
+TEST(Ground, FollowsASlopeOfTheSurface) {
+    auto grid = std::make_shared<HeightGridDescription>();
+    grid->x = -50, grid->y = -50, grid->spacing_x = grid->spacing_y = 1, grid->rows = grid->columns = 101;
+    for (int row = 0; row < 101; ++row) {
+        for (int column = 0; column < 101; ++column)
+            grid->heights.push_back(0.3 + 0.1 * (column - 50) - 0.05 * (row - 50));
+    }
+    RoadDescription road;
+    road.grid = grid;
+    const Surface surface(road);
+    const auto found = fit_plane<double>(surface, plane_normal(0, 0), 1, rolling(4, 7, 0.4, 20), 0);
+    const Vec3<double> n = plane_normal(0.1, -0.05);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(found.normal[i], n[i], 1e-13);
+    EXPECT_NEAR(found.offset, n[2] * 0.3, 1e-13);
+    EXPECT_NEAR(found.rise, 0, 1e-12);
+}
+
+RoadDescription rough() {
+    RoadDescription road;
+    road.obstacles.push_back(
+        {.shape = ObstacleShape::plateau, .start = 1, .length = 0.5, .height = 0.02, .ramp = 0.05});
+    road.waves.push_back({.amplitude = 0.05, .wavelength = 3, .right_phase = 1.5});
+    road.random.push_back({.road_class = 'D', .start = -100});
+    road.patches.push_back({.start = -10, .end = 10, .right = 0, .left = 10, .friction = 0.2});
+    return road;
+}
+
+// Least squares by normal equations, with the weights stated in the docs.
+TEST(Ground, IsThePlaneOfLeastSquares) {
+    const Surface surface(rough());
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> place(-2, 4), turn(-3, 3);
+    for (int trial = 0; trial < 50; ++trial) {
+        const double x = place(random), y = 0.3 * place(random), heading = turn(random);
+        const auto found = fit_plane<double>(surface, plane_normal(0, 0), 1, rolling(x, y, heading, 0), 0);
+        Mat3<double> A = Mat3<double>::Zero();
+        Vec3<double> b = Vec3<double>::Zero();
+        double friction = 0;
+        const std::array<double, 5> stations{-1, -0.5, 0, 0.5, 1}, weights{1, 3, 4, 3, 1};
+        for (const double side : {-1, 1}) {
+            for (std::size_t i = 0; i < 5; ++i) {
+                const double along = radius / 3 * stations[i], across = radius / 4 * side, w = weights[i] / 24;
+                const double at_x = x + along * std::cos(heading) - across * std::sin(heading);
+                const double at_y = y + along * std::sin(heading) + across * std::cos(heading);
+                const Vec3<double> row(1, at_x, at_y);
+                A += w * row * row.transpose();
+                b += w * row * surface.height(at_x, at_y);
+                friction += w * surface.friction(at_x, at_y);
+            }
+        }
+        const Vec3<double> fit = A.inverse() * b;  // z = fit0 + fit1 x + fit2 y
+        EXPECT_NEAR(-found.normal[0] / found.normal[2], fit[1], 1e-9);
+        EXPECT_NEAR(-found.normal[1] / found.normal[2], fit[2], 1e-9);
+        EXPECT_NEAR(found.offset / found.normal[2], fit[0], 1e-9);
+        EXPECT_NEAR(found.friction, friction, 1e-12);
+    }
+}
+
+// The depth of the disc's lowest point changes at the rate that is stated: what the damper and the energy balance stand on.
+TEST(Ground, RisesAsDifferencesSay) {
+    RoadDescription road = rough();
+    road.posts.height.push_back({.time = {0, 1, 2}, .value = {0, 0.1, 0}});
+    const Surface surface(road);
+    const auto depth = [&](double t) {
+        WheelAbove<double> wheel = rolling(0.8, 0.2, 0.3, 15);
+        wheel.center += t * wheel.velocity, wheel.axis += t * wheel.axis_rate;
+        wheel.axis.normalize();
+        const auto found = fit_plane<double>(surface, plane_normal(0.02, 0.01), 1, wheel, 0.4 + t);
+        const double s = found.normal.dot(wheel.axis), c = std::sqrt(1 - s * s);
+        const Vec3<double> lowest = wheel.center - radius * (found.normal - s * wheel.axis) / c;
+        return found.offset - found.normal.dot(lowest);
+    };
+    const WheelAbove<double> wheel = rolling(0.8, 0.2, 0.3, 15);
+    const auto found = fit_plane<double>(surface, plane_normal(0.02, 0.01), 1, wheel, 0.4);
+    const double s = found.normal.dot(wheel.axis), c = std::sqrt(1 - s * s);
+    const Vec3<double> arm = -radius * (found.normal - s * wheel.axis) / c;
+    const Vec3<double> turning(0.02, -0.3, 0.4);
+    const double stated = found.rise - found.normal.dot(Vec3<double>(wheel.velocity + turning.cross(arm)));
+    constexpr double h = 1e-5;
+    EXPECT_NEAR(stated, (depth(h) - depth(-h)) / (2 * h), 1e-6 * (1 + std::abs(stated)));
+    EXPECT_GT(std::abs(found.rise), 0.01) << "else this shows nothing";
+}
+
+// Two cars in the lanes of a pack, one on a plane: each gets what it would alone, bit for bit.
+TEST(Ground, LanesAreOnTheirOwn) {
+    const Surface surface(rough());
+    using Two = Pack<double, 2>;
+    const Mat3<double> R = axis_rotation<double>(Vec3<double>::UnitZ(), 0.4);
+    const PlaneRoad<double> plane(0.03, 0.01, 0.9);
+    const Vec3<double> position(0.7, 0.1, 0.5), center(0.2, 0.6, -0.2);
+    Spatial<double> motion;
+    motion << 12, 0.3, 0.1, 0.01, 0.02, 0.3;
+    const auto alone = [&](const Surface* below) {
+        UnevenGround<double> ground;
+        ground.count = 1;
+        ground.lanes[0] = {below, plane.normal, 0.9, position, R, 0};
+        const GroundBelow<double> wheel{plane.seen_from(position, R), below ? &ground : nullptr};
+        return wheel.under(center, Vec3<double>::UnitY(), motion, radius, {0, 0});
+    };
+    UnevenGround<double> ground;
+    ground.count = 2;
+    ground.lanes[0] = {&surface, plane.normal, 0.9, position, R, 0};
+    ground.lanes[1] = {nullptr, plane.normal, 0.9, position, R, 0};
+    const auto both = [](const auto& v) {
+        std::decay_t<decltype(v)> same = v;
+        return same.template cast<Two>().eval();
+    };
+    const RoadPlane<double> seen = plane.seen_from(position, R);
+    const GroundBelow<Two> wheels{{both(seen.normal), Two(seen.offset), Two(seen.friction)}, &ground};
+    Spatial<Two> moving;
+    for (int i = 0; i < 6; ++i) moving[i] = Two(motion[i]);
+    const auto found =
+        wheels.under(both(center), both(Vec3<double>(Vec3<double>::UnitY())), moving, Two(radius), {0, 0});
+    const std::array<WheelRoad<double>, 2> expected{alone(&surface), alone(nullptr)};
+    for (int l = 0; l < 2; ++l) {
+        const auto& right = expected[static_cast<std::size_t>(l)];
+        for (int i = 0; i < 3; ++i) EXPECT_EQ(lane(found.plane.normal[i], l), right.plane.normal[i]);
+        EXPECT_EQ(lane(found.plane.offset, l), right.plane.offset);
+        EXPECT_EQ(lane(found.plane.friction, l), right.plane.friction);
+        EXPECT_EQ(lane(found.rise, l), right.rise);
+    }
+    EXPECT_NE(expected[0].plane.offset, expected[1].plane.offset);
+}
+
+}  // namespace
+}  // namespace hamilcar
