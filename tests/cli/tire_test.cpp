@@ -65,13 +65,13 @@ TEST_F(Program, ShowsARoadAndWritesItAsOpenCrg) {
     const std::string rough = scenario_for(shipped_car_file, road);
     const Outcome r = run("road --json " + rough + " -o road.crg --length 1500");
     ASSERT_EQ(r.code, 0) << r.err;
-    for (const auto& track : nlohmann::json::parse(r.out)["tracks"]) EXPECT_EQ(track["iso_8608_class"], "D");
+    const auto facts = nlohmann::json::parse(r.out);
+    for (const auto& track : facts["tracks"]) EXPECT_EQ(track["iso_8608_class"], "D");
     const fs::path own = folder_ / "own.toml";
     fs::rename(rough, own);
     const std::string from_file = scenario_for(shipped_car_file, "[road]\ncrg_file = \"road.crg\"\n");
     const auto same = nlohmann::json::parse(run("road --json --length 1500 " + from_file).out);
-    EXPECT_NEAR(same["tracks"][0]["highest_m"].get<double>(),
-                nlohmann::json::parse(r.out)["tracks"][0]["highest_m"].get<double>(), 2e-4)
+    EXPECT_NEAR(same["tracks"][0]["highest_m"].get<double>(), facts["tracks"][0]["highest_m"].get<double>(), 2e-4)
         << "sections stand every 0.1 m and the track between two of them";
     const Outcome drive = run("run --json " + from_file + " -o drive");
     EXPECT_EQ(drive.code, 0) << drive.err;
