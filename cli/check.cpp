@@ -158,11 +158,7 @@ io::ExitCode check(const Options& options) {
         in_files(options.file, scenario.vehicle, [&] { return Simulation(vehicle, scenario); });
     const nlohmann::json facts = describe(simulation, options.file);
     const std::string text = options.json ? facts.dump(2) + "\n" : report(facts);
-    if (options.output.empty()) {
-        fmt::print("{}", text);
-    } else {
-        write_file(options.output, text);
-    }
+    print_or_write(options.output, text);
     return io::ExitCode::ok;
 }
 

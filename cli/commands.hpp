@@ -39,6 +39,8 @@ std::set<std::string> tire_files(const VehicleDescription& vehicle);
 void make_folder(const std::string& path);
 // Writes a whole small file; throws io::Error(input_output).
 void write_file(const std::string& path, const std::string& text);
+// To standard output, or where -o says.
+void print_or_write(const std::string& output, const std::string& text);
 
 // Runs `f`; an error that it throws gets its place in front: the key's in the scenario, or the vehicle's file where the
 // car itself fails.

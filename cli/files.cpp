@@ -66,4 +66,12 @@ void write_file(const std::string& path, const std::string& text) {
         throw io::Error(io::ExitCode::input_output, fmt::format("{}: cannot write: {}", path, std::strerror(errno)));
 }
 
+void print_or_write(const std::string& output, const std::string& text) {
+    if (output.empty()) {
+        fmt::print("{}", text);
+    } else {
+        write_file(output, text);
+    }
+}
+
 }  // namespace hamilcar::cli

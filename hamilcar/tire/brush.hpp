@@ -1,7 +1,7 @@
 // Brush tire: elastic bristles under a parabolic pressure, sticking from the leading edge up to where the friction ends
 // (Pacejka, Tire and Vehicle Dynamics, 3rd edition, 3.2). Slip is that of the bristles, s = v_s over the rolling speed.
 //
-//     rho = |K s| / (3 mu Fz),  F = mu Fz (1 - (1 - rho)^3) along K s,  Mz = -Fy a (1 - rho)^3 rho / (1 - (1 - rho)^3) ...
+//     rho = |K s| / (3 mu Fz),  F = mu Fz (1 - (1 - rho)^3) along K s,  Mz = -mu Fz a rho (1 - rho)^3 (K s)_y / |K s|
 // with the half contact length a, which goes with the root of the load.
 #pragma once
 

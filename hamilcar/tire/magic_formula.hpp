@@ -2,7 +2,7 @@
 // (Pacejka, Tire and Vehicle Dynamics, 3rd edition, (4.E1)-(4.E78), without turn slip). ISO-W axes.
 //
 //     y = D sin(C atan(B x - E (B x - atan B x)))          every curve; a weight has cos and starts at 1
-// Scaling factors and inflation pressure are multiplied into the coefficients beforehand (magic_coefficients.cpp). Terms that
+// Scaling factors and inflation pressure are multiplied into the coefficients beforehand (magic_formula.cpp). Terms that
 // most sets leave out are skipped where no lane has them.
 #pragma once
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
-#include <random>
 
+#include "tire/history.hpp"
 #include "tire/rolling_tire.hpp"
 
 namespace hamilcar {
@@ -112,26 +112,6 @@ TEST(TirePassivity, StickingAndSlidingInTurnTakesWork) {
     }
 }
 
-// Sums of five harmonics with random amplitudes and phases.
-class History {
-public:
-    History(std::mt19937& source, double amplitude, double mean) : mean_(mean) {
-        std::uniform_real_distribution<double> unit(-1, 1);
-        for (auto& [cosine, sine] : terms_) cosine = amplitude * unit(source), sine = amplitude * unit(source);
-    }
-    double operator()(double phase) const {
-        double sum = mean_;
-        for (std::size_t n = 0; n < terms_.size(); ++n) {
-            sum += terms_[n].first * std::cos((n + 1) * phase) + terms_[n].second * std::sin((n + 1) * phase);
-        }
-        return sum;
-    }
-
-private:
-    double mean_;
-    std::array<std::pair<double, double>, 5> terms_;
-};
-
 struct Rolling {
     double speed;      // mean of v_x [m/s]
     double variation;  // of v_x [m/s]
@@ -148,7 +128,7 @@ TEST_P(RandomHistories, TakeWorkOverACycle) {
     double least = 1, most = 0;
     for (int trial = 0; trial < 10; ++trial) {
         const double period = trial % 2 ? 2.0 : 0.4;
-        const History v_x(source, variation, speed), v_sx(source, slip, 0), v_sy(source, slip, 0.3 * slip);
+        const test::History<5> v_x(source, variation, speed), v_sx(source, slip, 0), v_sy(source, slip, 0.3 * slip);
         const auto contact_at = [&](double t) {
             const double phase = 2 * std::numbers::pi * t / period;
             auto c = test::loaded(tire, load);

@@ -15,7 +15,7 @@ using test::SlipModel;
 
 // Worked by hand from the formulas of the Adams/Tire help for a Fiala tire.
 TEST(FialaTire, GivesTheValuesWorkedOutForIt) {
-    FialaDescription d = test::fiala_tire();
+    FialaDescription d = test::worked_fiala();
     d.cornering_stiffness = 800 * 180 / std::numbers::pi;
     d.static_friction = 1, d.sliding_friction = 0.9, d.width = 0.235;
     const auto at = [](const FialaDescription& tire, double load, double kappa, double slope) {
@@ -27,7 +27,7 @@ TEST(FialaTire, GivesTheValuesWorkedOutForIt) {
     EXPECT_EQ(pure.Fx, 0);
     // There Fx = 3194.5056 and Fy = -3372.1876 pass the friction; here both are scaled down to it.
     const double slope = std::tan(0.2), friction = 0.9 - 0.2 * std::hypot(0.2, slope);
-    const auto both = at(test::fiala_tire(), 4000, 0.2, slope);
+    const auto both = at(test::worked_fiala(), 4000, 0.2, slope);
     EXPECT_NEAR(both.Fx / both.Fy, 3194.5056 / -3372.1876, 1e-7);
     EXPECT_NEAR(std::hypot(both.Fx, both.Fy), friction * 4000, 1e-6);
     EXPECT_EQ(both.Mz, 0);
@@ -35,7 +35,7 @@ TEST(FialaTire, GivesTheValuesWorkedOutForIt) {
 
 // Parabolic pressure: F = mu Fz (1 - (1 - rho)^3), and full sliding beyond rho = 1.
 TEST(BrushTire, GivesTheClosedFormAndItsLargestTrail) {
-    const Tire<double> tire = make_tire<double>(TireDescription(test::brush_tire()));
+    const Tire<double> tire = make_tire<double>(TireDescription(test::worked_brush()));
     const auto side = [&](double slope) { return test::curve(tire, 4000, 1, {0, slope, 1, 10}).forces; };
     for (const double slope : {0.02, 0.1, 0.19}) {
         const double left = 1 - 60e3 * slope / (3 * 4000);

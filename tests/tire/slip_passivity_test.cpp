@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "tire/history.hpp"
 #include "tire/slip_models.hpp"
 
 namespace hamilcar {
@@ -20,26 +21,6 @@ struct Motion {
     double variation;  // of v_x [m/s]
     double slip;       // amplitude of the slip velocities [m/s]
     bool along = true, across = true;
-};
-
-// Sums of three harmonics with random amplitudes and phases.
-class History {
-public:
-    History(std::mt19937& source, double amplitude, double mean) : mean_(mean) {
-        std::uniform_real_distribution<double> unit(-1, 1);
-        for (auto& [cosine, sine] : terms_) cosine = amplitude * unit(source), sine = amplitude * unit(source);
-    }
-    double operator()(double phase) const {
-        double sum = mean_;
-        for (std::size_t n = 0; n < terms_.size(); ++n) {
-            sum += terms_[n].first * std::cos((n + 1) * phase) + terms_[n].second * std::sin((n + 1) * phase);
-        }
-        return sum;
-    }
-
-private:
-    double mean_;
-    std::array<std::pair<double, double>, 3> terms_;
 };
 
 struct Work {
@@ -81,8 +62,9 @@ double least_share(const SlipModel& model, const Motion& motion, int trials) {
     int closed = 0;
     for (int trial = 0; trial < trials; ++trial) {
         const double period = trial % 2 ? 2.0 : 0.4;
-        const History v_x(source, motion.variation, motion.speed);
-        const History v_sx(source, motion.along ? motion.slip : 0, 0), v_sy(source, motion.across ? motion.slip : 0, 0);
+        const test::History<3> v_x(source, motion.variation, motion.speed);
+        const test::History<3> v_sx(source, motion.along ? motion.slip : 0, 0),
+            v_sy(source, motion.across ? motion.slip : 0, 0);
         const auto contact_at = [&](double t) {
             const double phase = 2 * std::numbers::pi * t / period;
             auto c = still;
