@@ -3,6 +3,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/io/error.hpp"
@@ -12,11 +13,17 @@ namespace hamilcar::cli {
 
 struct Options {
     std::string file;                            // scenario, vehicle or tire; schema: of which of them
+    std::vector<std::string> files;              // view: results
     std::string output;                          // -o: folder; check, schema: file
     bool json = false;                           // one JSON object on standard output
     double seconds = 20;                         // bench: about how long to measure
     double travel = 80;                          // kinematics: each way [mm]
     double length = 400;                         // road: from x = 0 on [m]
+    long rows = 20000;                           // view: of each run, at most
+    bool open = false;                           // view: start a browser
+    bool no_browser = false;                     // drive: do not
+    std::string scenario;                        // drive: where to, besides the shipped ones
+    int port = 0;                                // drive: 0 is any
     double speed = 0, lateral_acceleration = 0;  // equilibrium, modes [m/s], [m/s^2]
 };
 
@@ -30,6 +37,8 @@ io::ExitCode modes(const Options& options);
 io::ExitCode schema(const Options& options);
 io::ExitCode tire(const Options& options);
 io::ExitCode road(const Options& options);
+io::ExitCode view(const Options& options);
+io::ExitCode drive(const Options& options);
 
 // A file that comes with hamilcar: here, in the source or where it is installed; throws io::Error(input_output).
 std::string shipped_file(const std::string& name);
@@ -39,6 +48,8 @@ std::set<std::string> tire_files(const VehicleDescription& vehicle);
 void make_folder(const std::string& path);
 // Writes a whole small file; throws io::Error(input_output).
 void write_file(const std::string& path, const std::string& text);
+// Shows a file or an address in the person's browser, if there is one.
+void open_in_browser(const std::string& address);
 // To standard output, or where -o says.
 void print_or_write(const std::string& output, const std::string& text);
 

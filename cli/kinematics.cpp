@@ -9,7 +9,7 @@
 
 #include "commands.hpp"
 #include "hamilcar/analysis/kinematics.hpp"
-#include "hamilcar/io/picture.hpp"
+#include "hamilcar/io/page.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 
 namespace hamilcar::cli {
@@ -100,7 +100,7 @@ const Sweep* find(const AxleReport& axle, const char* name) {
     return nullptr;
 }
 
-std::vector<io::Chart> page(const AxleReport& axle) {
+std::vector<io::Chart> charts(const AxleReport& axle) {
     std::vector<io::Chart> out;
     if (const Sweep* bump = find(axle, "bump")) {
         const auto add = [&](const char* title, const char* unit, const char* name) {
@@ -147,6 +147,15 @@ nlohmann::json json_of(const AxleReport& axle) {
             {"anti_under_drive_percent", axle.anti_drive}};
 }
 
+io::Table design_table(const AxleReport& axle) {
+    io::Table table{axle.name + " axle at design", {{"", ""}, {"value", ""}, {"unit", ""}}, {}};
+    for (const Figure& figure : figures()) {
+        const double value = figure.read(axle.design);
+        if (std::isfinite(value)) table.rows.push_back({figure.name, value, figure.unit});
+    }
+    return table;
+}
+
 // Slope of a column about the middle of the bump sweep, per meter.
 double gain(const AxleReport& axle, double WheelFigures::*member) {
     const std::vector<AxleFigures>& rows = axle.sweeps[0].rows;
@@ -191,14 +200,19 @@ io::ExitCode kinematics(const Options& options) {
         }
     }();
     nlohmann::json all = nlohmann::json::array();
+    io::Page page{.title = vehicle.name,
+                  .subtitle = "Every axle in bump, roll and steer, without compliance",
+                  .blocks = {},
+                  .runs = {}};
     for (const AxleReport& axle : axles) {
         if (!options.output.empty()) {
             make_folder(options.output);
             for (const Sweep& sweep : axle.sweeps) {
                 write_file(fmt::format("{}/{}_{}.csv", options.output, axle.name, sweep.name), csv(sweep));
             }
-            io::write_page(fmt::format("{}/{}.svg", options.output, axle.name),
-                           fmt::format("{}, {} axle", vehicle.name, axle.name), page(axle), 3);
+            page.blocks.push_back(io::Heading{axle.name + " axle"});
+            for (io::Chart& chart : charts(axle)) page.blocks.push_back(std::move(chart));
+            page.blocks.push_back(design_table(axle));
         }
         if (options.json) {
             all.push_back(json_of(axle));
@@ -207,8 +221,10 @@ io::ExitCode kinematics(const Options& options) {
         }
     }
     if (options.json) fmt::print("{}\n", all.dump(2));
-    if (!options.output.empty())
-        fmt::print(stderr, "wrote a page and the tables of every axle to {}\n", options.output);
+    if (!options.output.empty()) {
+        io::write_page(options.output + "/kinematics.html", page);
+        fmt::print(stderr, "wrote kinematics.html and the tables of every axle to {}\n", options.output);
+    }
     return io::ExitCode::ok;
 }
 

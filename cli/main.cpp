@@ -1,9 +1,11 @@
-// `hamilcar`: run a scenario, run the paper's case, check a file, measure the speed. A skin: no physics here.
+// `hamilcar`: every command with its options. A skin: no physics here.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <new>
+#include <vector>
 
 #include "commands.hpp"
 #include "hamilcar/engine/library.hpp"
@@ -11,34 +13,117 @@
 
 namespace {
 
-using hamilcar::io::ExitCode;
 namespace cli = hamilcar::cli;
+namespace io = hamilcar::io;
+using io::ExitCode;
 
-// CLI11 only says that a word is missing; the mistyped command and the nearest one help more.
-std::string mistyped_command(int argc, char** argv) {
-    static constexpr std::string_view commands[] = {"run",        "paper", "check", "bench", "equilibrium",
-                                                    "kinematics", "modes", "tire",  "road",  "schema"};
-    if (argc < 2 || argv[1][0] == '-') return {};
-    for (const std::string_view command : commands) {
-        if (command == argv[1]) return {};
+using Function = io::ExitCode (*)(const cli::Options&);
+
+// The commands with the options of each.
+class Commands {
+public:
+    Commands(CLI::App& app, cli::Options& options) : app_(app), o_(options) {
+        add_runs();
+        add_analyses();
+        add_files();
     }
-    const auto nearest = hamilcar::io::nearest_word(argv[1], commands);
-    return fmt::format("unknown command '{}': expected {}{}", argv[1], hamilcar::io::quoted_list(commands),
-                       nearest ? fmt::format("; did you mean '{}'?", *nearest) : "");
-}
 
-void add_common(CLI::App& command, cli::Options& options) {
-    command.add_flag("--json", options.json, "print the facts as one JSON object on standard output");
-}
-
-int parse_failure(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
-    if (error.get_exit_code() == 0) {  // --help, --version
-        return app.exit(error);
+    // CLI11 only says that a word is missing; the mistyped command and the nearest one help more.
+    std::string mistyped(int argc, char** argv) const {
+        if (argc < 2 || argv[1][0] == '-') return {};
+        std::vector<std::string_view> names;
+        for (const auto& [command, function] : list_) names.push_back(command->get_name());
+        if (std::ranges::find(names, argv[1]) != names.end()) return {};
+        const auto nearest = io::nearest_word(argv[1], names);
+        return fmt::format("unknown command '{}': expected {}{}", argv[1], io::quoted_list(names),
+                           nearest ? fmt::format("; did you mean '{}'?", *nearest) : "");
     }
-    const std::string mistyped = mistyped_command(argc, argv);
-    fmt::print(stderr, "hamilcar: {}\nTry 'hamilcar --help'.\n", mistyped.empty() ? error.what() : mistyped);
-    return static_cast<int>(ExitCode::usage);
-}
+    io::ExitCode run() const {
+        for (const auto& [command, function] : list_) {
+            if (command->parsed()) return function(o_);
+        }
+        return io::ExitCode::usage;
+    }
+
+private:
+    CLI::App& add(const char* name, Function function, const char* what) {
+        list_.emplace_back(app_.add_subcommand(name, what), function);
+        return *list_.back().first;
+    }
+    CLI::App& with_json(CLI::App& command) {
+        command.add_flag("--json", o_.json, "print the facts as one JSON object on standard output");
+        return command;
+    }
+
+    void add_runs() {
+        auto& run = with_json(add("run", cli::run, "run a scenario and write its results as CSV, netCDF and a page"));
+        run.add_option("scenario", o_.file, "scenario file (TOML)")->required();
+        run.add_option("-o,--output", o_.output, "folder for the results [out/NAME]");
+        auto& drive = add("drive", cli::drive, "drive a vehicle in the browser: the full model in real time");
+        drive.add_option("vehicle", o_.file, "vehicle file (TOML) [the shipped 323i]");
+        drive.add_option("--road", o_.scenario, "scenario file (TOML) whose road and course to start on");
+        drive.add_option("--port", o_.port, "on 127.0.0.1 [any]")->check(CLI::Range(0, 65535));
+        drive.add_option("-o,--output", o_.output, "folder for recordings [out/drive]");
+        drive.add_flag("--no-browser", o_.no_browser, "only print the address");
+        auto& view = add("view", cli::view, "show results as a film with plots: one page that opens in any browser");
+        view.add_option("results", o_.files, "result files (results.nc); several are compared")->required();
+        view.add_option("-o,--output", o_.output, "the page [view.html or comparison.html beside the first result]");
+        view.add_option("--rows", o_.rows, "of each run, at most [20000]")->check(CLI::Range(100, 10000000));
+        view.add_flag("--open", o_.open, "open it in the browser");
+        auto& paper = with_json(add("paper", cli::paper, "run the paper's case and write its tables and figures"));
+        paper.add_option("scenario", o_.file, "another scenario file than the paper's");
+        paper.add_option("-o,--output", o_.output, "folder for the results [out/paper]");
+        auto& bench =
+            with_json(add("bench", cli::bench, "measure how fast this machine steps a car, alone and in batches"));
+        bench.add_option("vehicle", o_.file, "another vehicle file than the shipped car's");
+        bench.add_option("--seconds", o_.seconds, "about how long to measure [20]")->check(CLI::Range(0.1, 3600.0));
+    }
+
+    void add_analyses() {
+        auto& equilibrium =
+            add("equilibrium", cli::equilibrium, "find where a vehicle stands, drives straight or goes round");
+        auto& kinematics = add("kinematics", cli::kinematics, "move every axle through bump, roll and steer");
+        auto& modes = add("modes", cli::modes, "linearize a vehicle exactly; frequencies, damping, shapes, responses");
+        for (auto* command : {&equilibrium, &kinematics, &modes}) {
+            with_json(*command).add_option("vehicle", o_.file, "vehicle file (TOML)")->required();
+        }
+        for (auto* command : {&equilibrium, &modes}) {
+            command->add_option("--speed", o_.speed, "forward speed [m/s]; at rest if left out")
+                ->check(CLI::Range(0.0, 100.0));
+            command->add_option("--lateral-acceleration", o_.lateral_acceleration, "to the left [m/s^2]")
+                ->check(CLI::Range(-30.0, 30.0));
+        }
+        kinematics.add_option("--travel", o_.travel, "of the wheels, each way [80 mm]")->check(CLI::Range(1.0, 1000.0));
+        for (auto* command : {&kinematics, &modes}) {
+            command->add_option("-o,--output", o_.output, "folder for tables and a page");
+        }
+    }
+
+    void add_files() {
+        auto& check =
+            with_json(add("check", cli::check, "validate a vehicle or scenario file and print what it describes"));
+        check.add_option("file", o_.file, "vehicle or scenario file (TOML)")->required();
+        check.add_option("-o,--output", o_.output, "file for the report, instead of standard output");
+        auto& tire =
+            with_json(add("tire", cli::tire, "print a tire file's curves, key figures and what it leaves open"));
+        tire.add_option("file", o_.file, "tire property file (.tir)")->required();
+        tire.add_option("-o,--output", o_.output, "folder for tables and a page");
+        auto& road =
+            with_json(add("road", cli::road, "show how rough a scenario's road is, or write it as an OpenCRG file"));
+        road.add_option("scenario", o_.file, "scenario file (TOML)")->required();
+        road.add_option("--length", o_.length, "of road, from x = 0 on [400 m]")->check(CLI::Range(10.0, 20000.0));
+        road.add_option("-o,--output", o_.output, "OpenCRG file (.crg) to write");
+        auto& schema = add("schema", cli::schema, "print the JSON Schema of vehicle or scenario files, for editors");
+        schema.add_option("kind", o_.file, "vehicle or scenario")
+            ->required()
+            ->check(CLI::IsMember({"vehicle", "scenario"}));
+        schema.add_option("-o,--output", o_.output, "file for the schema, instead of standard output");
+    }
+
+    CLI::App& app_;
+    cli::Options& o_;
+    std::vector<std::pair<CLI::App*, Function>> list_;
+};
 
 int run_command(int argc, char** argv) {
     CLI::App app{
@@ -50,65 +135,17 @@ int run_command(int argc, char** argv) {
     });
     app.require_subcommand(1);
     cli::Options options;
-    auto* run = app.add_subcommand("run", "run a scenario and write its results as CSV and netCDF");
-    run->add_option("scenario", options.file, "scenario file (TOML)")->required();
-    run->add_option("-o,--output", options.output, "folder for the results [out/NAME]");
-    auto* paper = app.add_subcommand("paper", "run the paper's case and write its tables and figures");
-    paper->add_option("scenario", options.file, "another scenario file than the paper's");
-    paper->add_option("-o,--output", options.output, "folder for the results [out/paper]");
-    auto* check = app.add_subcommand("check", "validate a vehicle or scenario file and print what it describes");
-    check->add_option("file", options.file, "vehicle or scenario file (TOML)")->required();
-    check->add_option("-o,--output", options.output, "file for the report, instead of standard output");
-    auto* bench = app.add_subcommand("bench", "measure how fast this machine steps a car, alone and in batches");
-    bench->add_option("vehicle", options.file, "another vehicle file than the shipped car's");
-    bench->add_option("--seconds", options.seconds, "about how long to measure [20]")->check(CLI::Range(0.1, 3600.0));
-    auto* equilibrium = app.add_subcommand("equilibrium", "find where a vehicle stands, drives straight or goes round");
-    auto* kinematics = app.add_subcommand("kinematics", "move every axle through bump, roll and steer");
-    auto* modes = app.add_subcommand("modes", "linearize a vehicle exactly; frequencies, damping, shapes, responses");
-    for (auto* command : {equilibrium, kinematics, modes}) {
-        command->add_option("vehicle", options.file, "vehicle file (TOML)")->required();
-    }
-    for (auto* command : {equilibrium, modes}) {
-        command->add_option("--speed", options.speed, "forward speed [m/s]; at rest if left out")
-            ->check(CLI::Range(0.0, 100.0));
-        command->add_option("--lateral-acceleration", options.lateral_acceleration, "to the left [m/s^2]")
-            ->check(CLI::Range(-30.0, 30.0));
-    }
-    kinematics->add_option("--travel", options.travel, "of the wheels, each way [80 mm]")
-        ->check(CLI::Range(1.0, 1000.0));
-    for (auto* command : {kinematics, modes}) {
-        command->add_option("-o,--output", options.output, "folder for tables and pictures");
-    }
-    auto* tire = app.add_subcommand("tire", "print a tire file's curves, key figures and what it leaves open");
-    tire->add_option("file", options.file, "tire property file (.tir)")->required();
-    tire->add_option("-o,--output", options.output, "folder for tables and pictures");
-    auto* road = app.add_subcommand("road", "show how rough a scenario's road is, or write it as an OpenCRG file");
-    road->add_option("scenario", options.file, "scenario file (TOML)")->required();
-    road->add_option("--length", options.length, "of road, from x = 0 on [400 m]")->check(CLI::Range(10.0, 20000.0));
-    road->add_option("-o,--output", options.output, "OpenCRG file (.crg) to write");
-    auto* schema = app.add_subcommand("schema", "print the JSON Schema of vehicle or scenario files, for editors");
-    schema->add_option("kind", options.file, "vehicle or scenario")
-        ->required()
-        ->check(CLI::IsMember({"vehicle", "scenario"}));
-    schema->add_option("-o,--output", options.output, "file for the schema, instead of standard output");
-    for (auto* command : {run, paper, check, bench, equilibrium, kinematics, modes, tire, road})
-        add_common(*command, options);
+    const Commands commands(app, options);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return parse_failure(app, error, argc, argv);
+        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+        const std::string mistyped = commands.mistyped(argc, argv);
+        fmt::print(stderr, "hamilcar: {}\nTry 'hamilcar --help'.\n", mistyped.empty() ? error.what() : mistyped);
+        return static_cast<int>(ExitCode::usage);
     }
     cli::watch_interrupt();
-    if (run->parsed()) return static_cast<int>(cli::run(options));
-    if (paper->parsed()) return static_cast<int>(cli::paper(options));
-    if (schema->parsed()) return static_cast<int>(cli::schema(options));
-    if (bench->parsed()) return static_cast<int>(cli::bench(options));
-    if (equilibrium->parsed()) return static_cast<int>(cli::equilibrium(options));
-    if (kinematics->parsed()) return static_cast<int>(cli::kinematics(options));
-    if (modes->parsed()) return static_cast<int>(cli::modes(options));
-    if (tire->parsed()) return static_cast<int>(cli::tire(options));
-    if (road->parsed()) return static_cast<int>(cli::road(options));
-    return static_cast<int>(cli::check(options));
+    return static_cast<int>(commands.run());
 }
 
 }  // namespace

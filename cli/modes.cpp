@@ -8,7 +8,7 @@
 
 #include "commands.hpp"
 #include "hamilcar/analysis/modes.hpp"
-#include "hamilcar/io/picture.hpp"
+#include "hamilcar/io/page.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 
 namespace hamilcar::cli {
@@ -108,6 +108,32 @@ std::vector<double> steer_to_yaw(const LinearModel& model, const std::vector<dou
     return out;
 }
 
+std::string shape_of(const Mode& mode) {
+    std::string text;
+    for (const auto& [name, share] : mode.shape) {
+        if (share > 0.05) text += fmt::format("{}{} {:.2f}", text.empty() ? "" : ", ", name, share);
+    }
+    return text;
+}
+
+io::Table modes_table(const std::vector<Mode>& all) {
+    io::Table table{"Modes",
+                    {{"mode", ""},
+                     {"frequency", "Hz"},
+                     {"damping ratio", ""},
+                     {"eigenvalue, real", "1/s"},
+                     {"eigenvalue, imaginary", "1/s"},
+                     {"what moves", ""}},
+                    {}};
+    for (const Mode& mode : all) {
+        if (mode.shape.empty()) continue;
+        table.rows.push_back({mode.name, mode.frequency > 0 ? io::Cell(mode.frequency) : io::Cell(),
+                              mode.frequency > 0 ? io::Cell(mode.damping_ratio) : io::Cell(), mode.eigenvalue.real(),
+                              mode.eigenvalue.imag(), shape_of(mode)});
+    }
+    return table;
+}
+
 void write_files(const Options& options, const LinearModel& model, const std::vector<Mode>& all,
                  const VehicleDescription& vehicle) {
     make_folder(options.output);
@@ -142,16 +168,10 @@ void write_files(const Options& options, const LinearModel& model, const std::ve
                           .vertical_marks = {},
                           .log_x = true});
     }
-    io::write_page(path("responses.svg"), vehicle.name + ", " + describe(options), charts,
-                   static_cast<int>(charts.size()));
-}
-
-std::string shape_of(const Mode& mode) {
-    std::string text;
-    for (const auto& [name, share] : mode.shape) {
-        if (share > 0.05) text += fmt::format("{}{} {:.2f}", text.empty() ? "" : ", ", name, share);
-    }
-    return text;
+    io::Page page{.title = vehicle.name, .subtitle = describe(options), .blocks = {}, .runs = {}};
+    for (io::Chart& chart : charts) page.blocks.push_back(std::move(chart));
+    page.blocks.push_back(modes_table(all));
+    io::write_page(path("modes.html"), page);
 }
 
 // Of those that move nothing else, the brakes' wind-up and what rolls freely, only the number.
@@ -207,7 +227,7 @@ io::ExitCode modes(const Options& options) {
     }
     if (!options.output.empty()) {
         write_files(options, model, all, vehicle);
-        fmt::print(stderr, "wrote A, B, C, D, modes and responses to {}\n", options.output);
+        fmt::print(stderr, "wrote modes.html, A, B, C, D, modes and responses to {}\n", options.output);
     }
     return io::ExitCode::ok;
 }

@@ -6,7 +6,7 @@
 
 #include "commands.hpp"
 #include "hamilcar/analysis/freedom.hpp"
-#include "hamilcar/io/picture.hpp"
+#include "hamilcar/io/page.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/run/record.hpp"
 #include "hamilcar/run/stabilization_sweep.hpp"
@@ -52,14 +52,21 @@ void write_columns(const std::string& path, const std::vector<std::string>& head
     write_file(path, text);
 }
 
-nlohmann::json write_table_2(const std::string& folder, const Simulation& simulation) {
+nlohmann::json write_table_2(const std::string& folder, const Simulation& simulation, io::Page& page) {
     const Structure counted = structure(simulation.model().vehicle, simulation.vehicle());
     std::string text = "what,constraints\n";
     int total = 0;
+    io::Table table{"Table 2  Constraints and degrees of freedom", {{"what", ""}, {"constraints", ""}}, {}};
     for (const ConstraintRow& row : paper_table_2(counted, true)) {
         text += fmt::format("{},{}\n", row.what, row.constraints);
         total += row.constraints;
+        table.rows.push_back({row.what, double(row.constraints)});
     }
+    table.rows.push_back({"total", double(total)});
+    table.rows.push_back({"coordinates", double(7 * counted.bodies)});
+    table.rows.push_back({"as printed: coordinates less constraints", double(7 * counted.bodies - total)});
+    table.rows.push_back({"degrees of freedom, the rack prescribed", double(counted.degrees_of_freedom)});
+    page.blocks.push_back(table);
     text += fmt::format("total,{}\ncoordinates,{}\nas printed: coordinates - total,{}\n", total, 7 * counted.bodies,
                         7 * counted.bodies - total);
     text += fmt::format("degrees of freedom (the rack's coordinate counted with its driver),{}\n",
@@ -72,21 +79,33 @@ nlohmann::json write_table_2(const std::string& folder, const Simulation& simula
             {"cut_equations", counted.cut_equations}};
 }
 
-nlohmann::json write_table_3(const std::string& folder, double step) {
+nlohmann::json write_table_3(const std::string& folder, double step, io::Page& page) {
     std::string text = "method,order,paper's ST_k,exact limit,paper's alpha [1/s],largest stable alpha [1/s]\n";
     nlohmann::json rows = nlohmann::json::array();
+    io::Table table{"Table 3  Stability limits",
+                    {{"method", ""},
+                     {"order", ""},
+                     {"paper's ST_k", "1"},
+                     {"exact limit", "1"},
+                     {"paper's alpha", "1/s"},
+                     {"largest stable alpha", "1/s"}},
+                    {}};
     for (const Method& method : methods) {
         if (!method.paper_limit) continue;
+        table.rows.push_back({std::string(method.name), double(method.order), *method.paper_limit,
+                              method.real_axis_limit, *method.paper_limit / step, method.real_axis_limit / step});
         text += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g}\n", method.name, method.order, *method.paper_limit,
                             method.real_axis_limit, *method.paper_limit / step, method.real_axis_limit / step);
         rows.push_back({{"order", method.order}, {"paper", *method.paper_limit}, {"exact", method.real_axis_limit}});
     }
+    page.blocks.push_back(table);
     write_file(folder + "/table3_stability_limits.csv", text);
     return rows;
 }
 
 // Runs the case itself; Figures 11 to 14 from its samples.
-RunSummary write_motion_figures(const std::string& folder, Simulation& simulation, const std::vector<Channel>& all) {
+RunSummary write_motion_figures(const std::string& folder, Simulation& simulation, const std::vector<Channel>& all,
+                                io::Page& page) {
     std::vector<Channel> channels;
     for (const Figure& figure : figures) channels.push_back(select_channels(all, {figure.channel}).front());
     std::vector<double> time;
@@ -104,7 +123,7 @@ RunSummary write_motion_figures(const std::string& folder, Simulation& simulatio
         const std::string base = folder + "/" + figures[i].file;
         write_columns(base + ".csv", {"time [s]", fmt::format("{} [{}]", column.name, column.unit)},
                       {&time, &values[i]});
-        io::write_chart(base + ".svg", {figures[i].title, "time [s]", figures[i].y_label, {{"", time, values[i]}}});
+        page.blocks.push_back(io::Chart{figures[i].title, "time [s]", figures[i].y_label, {{"", time, values[i]}}});
     }
     return summary;
 }
@@ -132,7 +151,7 @@ struct Figure9 {
 };
 
 nlohmann::json write_figure_9(const std::string& folder, const VehicleDescription& vehicle,
-                              const ScenarioDescription& scenario) {
+                              const ScenarioDescription& scenario, io::Page& page) {
     const double step = scenario.solver.step, limit = find_method(scenario.solver.integrator)->real_axis_limit / step;
     const double scale = limit / paper_limit_gain;
     std::vector<double> gains;
@@ -164,13 +183,13 @@ nlohmann::json write_figure_9(const std::string& folder, const VehicleDescriptio
         }
     }
     write_file(folder + "/fig09_sweep.csv", figure.table);
-    io::write_chart(folder + "/fig09_norm_over_time.svg", figure.over_time);
-    io::write_chart(folder + "/fig09_norm_over_alpha.svg", {"Fig. 9 swept: constraint violation against the gain",
-                                                            "alpha [1/s]",
-                                                            "norm of Phi",
-                                                            {figure.rms, figure.largest},
-                                                            true,
-                                                            {{limit, fmt::format("stability limit {:.0f}", limit)}}});
+    page.blocks.push_back(figure.over_time);
+    page.blocks.push_back(io::Chart{"Fig. 9 swept: constraint violation against the gain",
+                                    "alpha [1/s]",
+                                    "norm of Phi",
+                                    {figure.rms, figure.largest},
+                                    true,
+                                    {{limit, fmt::format("stability limit {:.0f}", limit)}}});
     return facts;
 }
 
@@ -193,7 +212,7 @@ void print_paper(const nlohmann::json& facts, const std::string& folder) {
                number(fig9["largest_norm_at_paper_gain"], "{:.2e}"));
     fmt::print("          first run lost: alpha = {}; the stability limit S / h is {}\n",
                number(fig9["first_unstable_gain_per_s"], "{:.4g}"), number(fig9["stability_limit_per_s"], "{:.1f}"));
-    fmt::print("\nData (.csv) and pictures (.svg) are in {}/\n", folder);
+    fmt::print("\nAll tables and figures: {0}/paper.html; their data: {0}/*.csv\n", folder);
 }
 
 }  // namespace
@@ -206,9 +225,11 @@ io::ExitCode paper(const Options& options) {
     make_folder(folder);
     Simulation simulation = in_files(file, scenario.vehicle, [&] { return Simulation(vehicle, scenario); });
     nlohmann::json facts;
-    facts["table_2"] = write_table_2(folder, simulation);
-    facts["table_3"] = write_table_3(folder, scenario.solver.step);
-    const RunSummary summary = write_motion_figures(folder, simulation, all_channels(vehicle));
+    io::Page page{
+        .title = "The paper's case", .subtitle = vehicle.name + ", " + scenario.name, .blocks = {}, .runs = {}};
+    facts["table_2"] = write_table_2(folder, simulation, page);
+    facts["table_3"] = write_table_3(folder, scenario.solver.step, page);
+    const RunSummary summary = write_motion_figures(folder, simulation, all_channels(vehicle), page);
     facts["run"] = summary_json(simulation, summary, {});
     if (summary.interrupted) {
         fmt::print(stderr, "hamilcar: interrupted; Figures 11 to 14 end at t = {:.3f} s, Figure 9 is missing\n",
@@ -219,11 +240,12 @@ io::ExitCode paper(const Options& options) {
     if (facts["table_2"]["cut_equations"] == 0) {
         throw io::Error(io::ExitCode::bad_file, file + ": Figure 9 shows cut constraints, and this car has none");
     }
-    facts["figure_9"] = write_figure_9(folder, vehicle, scenario);
+    facts["figure_9"] = write_figure_9(folder, vehicle, scenario, page);
     if (facts["figure_9"].is_null()) {
         fmt::print(stderr, "hamilcar: interrupted; Figure 9 is missing\n");
         return io::ExitCode::interrupted;
     }
+    io::write_page(folder + "/paper.html", page);
     facts["folder"] = folder;
     write_file(folder + "/summary.json", facts.dump(2) + "\n");
     if (options.json) {

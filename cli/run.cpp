@@ -5,9 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "hamilcar/io/result_file.hpp"
 #include "hamilcar/io/tir_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
+#include "hamilcar/run/film.hpp"
 #include "hamilcar/run/record.hpp"
+#include "hamilcar/run/scene.hpp"
 #include "progress.hpp"
 #include "summary.hpp"
 
@@ -18,59 +21,127 @@ namespace {
 // An energy balance off by more than this share of the largest kinetic energy is no simulation of the car any more.
 constexpr double doubtful_share = 0.01;
 
-struct Files {
-    std::vector<std::unique_ptr<io::ResultWriter>> writers;
-    std::vector<std::string> paths;
+// What a run records: the channels that were chosen, then those that a picture of the vehicle needs besides.
+struct Recorded {
+    std::vector<Channel> channels;
+    std::size_t chosen;
+    std::string scene;  // empty where no picture is wanted
 };
 
-Files open_files(const std::string& folder, const ScenarioDescription& scenario, const std::vector<Channel>& channels) {
-    std::vector<io::Column> columns;
-    for (const Channel& channel : channels) columns.push_back(channel.column);
-    Files files;
-    if (scenario.output.csv) {
-        files.paths.push_back(folder + "/results.csv");
-        files.writers.push_back(io::open_csv(files.paths.back(), columns));
-    }
-    if (scenario.output.netcdf) {
-        files.paths.push_back(folder + "/results.nc");
-        files.writers.push_back(io::open_netcdf(files.paths.back(), columns, scenario.name));
-    }
-    return files;
+Recorded choose_channels(const VehicleDescription& vehicle, const ScenarioDescription& scenario) {
+    const std::vector<Channel> all = all_channels(vehicle);
+    Recorded recorded{select_channels(all, scenario.output.channels), 0, {}};
+    recorded.chosen = recorded.channels.size();
+    if (!scenario.output.motion) return recorded;
+    recorded.scene = scene_json(vehicle, scenario);
+    add_missing_motion(all, recorded.channels);
+    return recorded;
 }
+
+// The files that rows go to while the run lasts. Tables for people have the chosen channels only.
+class Files {
+public:
+    Files(const std::string& folder, const ScenarioDescription& scenario, const Recorded& recorded)
+        : chosen_(recorded.chosen) {
+        std::vector<io::Column> columns;
+        for (const Channel& channel : recorded.channels) columns.push_back(channel.column);
+        if (scenario.output.netcdf) {
+            paths_.push_back(folder + "/results.nc");
+            std::vector<std::pair<std::string, std::string>> attributes;
+            if (!recorded.scene.empty()) attributes.emplace_back(io::scene_attribute, recorded.scene);
+            netcdf_ = io::open_netcdf(paths_.back(), columns, scenario.name, attributes);
+        }
+        if (scenario.output.csv) {
+            paths_.push_back(folder + "/results.csv");
+            columns.resize(chosen_);
+            csv_ = io::open_csv(paths_.back(), columns);
+        }
+    }
+
+    void write(double time, std::span<const double> row) {
+        if (netcdf_) netcdf_->write(time, row);
+        if (csv_) csv_->write(time, row.first(chosen_));
+        constexpr long rows_per_flush = 100;  // what a crash may cost
+        if (++rows_ % rows_per_flush != 0) return;
+        if (netcdf_) netcdf_->flush();
+        if (csv_) csv_->flush();
+    }
+    void close() {
+        if (netcdf_) netcdf_->close();
+        if (csv_) csv_->close();
+    }
+    // Beside the netCDF file, whose picture needs them.
+    void write_road(const std::vector<RoadTile>& tiles) {
+        if (!netcdf_ || tiles.empty()) return;
+        const std::string result = paths_.front();
+        paths_.push_back(io::tiles_beside(result));
+        io::write_tiles(paths_.back(), tiles);
+    }
+    void add(const std::string& path) { paths_.push_back(path); }
+    const std::vector<std::string>& paths() const { return paths_; }
+
+private:
+    std::size_t chosen_;
+    std::unique_ptr<io::ResultWriter> netcdf_, csv_;
+    std::vector<std::string> paths_;
+    long rows_ = 0;
+};
+
+void write_report(const std::string& path, io::PageRun run, const Simulation& simulation, const nlohmann::json& facts) {
+    io::Page page{.title = simulation.scenario().name, .subtitle = simulation.vehicle().name, .blocks = {}, .runs = {}};
+    page.blocks = {io::Replay{}, io::Heading{"Summary"}, summary_table(facts)};
+    page.runs.push_back(std::move(run));
+    io::write_page(path, page);
+}
+
+// Where the vehicle has been, for the road that its picture needs.
+struct PathOnGround {
+    std::vector<double> x, y;
+    void add(const Sample& sample) { x.push_back(sample.state.position()[0]), y.push_back(sample.state.position()[1]); }
+};
 
 }  // namespace
 
 io::ExitCode run(const Options& options) {
     const ScenarioDescription scenario = io::read_scenario(options.file);
     const VehicleDescription vehicle = io::read_vehicle(scenario.vehicle);
-    const auto channels = in_files(options.file, scenario.vehicle,
-                                   [&] { return select_channels(all_channels(vehicle), scenario.output.channels); });
+    const Recorded recorded =
+        in_files(options.file, scenario.vehicle, [&] { return choose_channels(vehicle, scenario); });
     Simulation simulation = in_files(options.file, scenario.vehicle, [&] { return Simulation(vehicle, scenario); });
     const std::string name = std::filesystem::path(options.file).stem().string();
     const std::string folder = options.output.empty() ? "out/" + name : options.output;
     make_folder(folder);
-    Files files = open_files(folder, scenario, channels);
+    Files files(folder, scenario, recorded);
+    Film film(scenario.name, recorded.scene, recorded.channels);
+    PathOnGround path;
 
     Progress progress(name);
-    constexpr long rows_per_flush = 100;  // what a crash may cost
-    long rows = 0;
     const RunSummary summary = record(
-        simulation, channels, scenario.output.interval,
+        simulation, recorded.channels, scenario.output.interval,
         [&](const Sample& sample, const std::vector<double>& row) {
-            for (auto& writer : files.writers) writer->write(sample.time, row);
-            if (++rows % rows_per_flush == 0) {
-                for (auto& writer : files.writers) writer->flush();
-            }
+            files.write(sample.time, row);
+            if (scenario.output.report) film.add(sample.time, row);
+            if (scenario.output.motion) path.add(sample);
         },
         [&](double share) { return progress.show(share), !interrupted(); });
     progress.clear();
-    for (auto& writer : files.writers) writer->close();
+    files.close();
+    const std::vector<RoadTile> tiles =
+        tiles_along(simulation.model().road, simulation.surface().get(), path.x, path.y);
+    files.write_road(tiles);
 
     for (const std::string& file : tire_files(simulation.vehicle())) {
         const std::size_t notes = io::read_tir(file).notes.size();
         if (notes > 0) fmt::print(stderr, "hamilcar: {}: {} remarks; 'hamilcar tire' lists them\n", file, notes);
     }
-    const nlohmann::json facts = summary_json(simulation, summary, files.paths);
+    const std::string report = folder + "/report.html";
+    if (scenario.output.report) files.add(report);
+    const nlohmann::json facts = summary_json(simulation, summary, files.paths());
+    if (scenario.output.report) {
+        io::PageRun run = film.take();
+        run.tiles = tiles;
+        write_report(report, std::move(run), simulation, facts);
+    }
     write_file(folder + "/summary.json", facts.dump(2) + "\n");
     if (options.json) {
         fmt::print("{}\n", facts.dump(2));

@@ -51,6 +51,28 @@ nlohmann::json summary_json(const Simulation& simulation, const RunSummary& summ
     return facts;
 }
 
+io::Table summary_table(const nlohmann::json& facts) {
+    io::Table table{"What the run has to say of itself", {{"", ""}, {"value", ""}, {"unit", ""}}, {}};
+    const auto add = [&](const char* name, const nlohmann::json& value, const char* unit) {
+        io::Cell cell;
+        if (value.is_string()) cell = value.get<std::string>();
+        if (value.is_number()) cell = value.get<double>();
+        table.rows.push_back({std::string(name), cell, std::string(unit)});
+    };
+    const auto& energy = facts["energy"];
+    add("scenario", facts["scenario"], ""), add("vehicle", facts["vehicle"], "");
+    add("integrator", facts["integrator"], ""), add("constraints", facts["constraints"], "");
+    add("step", facts["step_s"], "s"), add("simulated", facts["simulated_s"], "s"), add("steps", facts["steps"], "");
+    add("largest opening of a cut joint", facts["worst_constraint_opening_m"], "m");
+    add("largest kinetic energy", energy["largest_kinetic_J"], "J"), add("work", energy["work_J"], "J");
+    add("largest error of the energy balance", energy["worst_balance_error_J"], "J");
+    if (!facts["ended_early"].is_null()) add("ended early", facts["ended_early"], "");
+    for (const auto& [name, entry] : facts["end_state"].items()) {
+        add(("at the end: " + name).c_str(), entry["value"], entry["unit"].get<std::string>().c_str());
+    }
+    return table;
+}
+
 void print_summary(const nlohmann::json& facts) {
     const auto& energy = facts["energy"];
     const auto value = [&](const char* name) { return facts["end_state"][name]["value"].get<double>(); };

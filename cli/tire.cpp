@@ -2,12 +2,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "commands.hpp"
 #include "hamilcar/analysis/tire_curves.hpp"
-#include "hamilcar/io/picture.hpp"
+#include "hamilcar/io/page.hpp"
 #include "hamilcar/io/tir_file.hpp"
 
 namespace hamilcar::cli {
@@ -28,12 +29,10 @@ std::string csv(const std::vector<TireCurve>& curves, const char* first, double 
     return text;
 }
 
-std::vector<io::Chart> page(const TireCurves& curves) {
+std::vector<io::Chart> charts(const TireCurves& curves) {
     const auto chart = [](const char* title, const char* x, const char* y, const std::vector<TireCurve>& family,
-                          double scale, double TireForce<double>::*what, const auto& label,
-                          const char* legend = "top left") {
+                          double scale, double TireForce<double>::*what, const auto& label) {
         io::Chart out{.title = title, .x_label = x, .y_label = y, .curves = {}, .vertical_marks = {}};
-        out.legend = legend;
         for (std::size_t k = 0; k < family.size(); ++k) {
             io::Curve curve{.label = label(k), .x = {}, .y = {}};
             for (std::size_t i = 0; i < family[k].slip.size(); ++i) {
@@ -47,11 +46,31 @@ std::vector<io::Chart> page(const TireCurves& curves) {
     const auto load = [&](std::size_t k) { return fmt::format("{:.0f} N", curves.lateral[k].load); };
     const auto angle = [&](std::size_t k) { return fmt::format("{:.0f} deg", degree * curves.combined_alpha[k]); };
     return {chart("Longitudinal force", "slip [1]", "[N]", curves.longitudinal, 1, &F::Fx, load),
-            chart("Side force", "slip angle [deg]", "[N]", curves.lateral, degree, &F::Fy, load, "top right"),
+            chart("Side force", "slip angle [deg]", "[N]", curves.lateral, degree, &F::Fy, load),
             chart("Aligning moment", "slip angle [deg]", "[N m]", curves.lateral, degree, &F::Mz, load),
             chart("Longitudinal force at slip angles", "slip [1]", "[N]", curves.combined, 1, &F::Fx, angle),
-            chart("Side force at slip angles", "slip [1]", "[N]", curves.combined, 1, &F::Fy, angle, "bottom left"),
+            chart("Side force at slip angles", "slip [1]", "[N]", curves.combined, 1, &F::Fy, angle),
             chart("Aligning moment at slip angles", "slip [1]", "[N m]", curves.combined, 1, &F::Mz, angle)};
+}
+
+io::Table figures_table(const std::vector<TireFigures>& figures) {
+    io::Table table{"Key figures",
+                    {{"load", "N"},
+                     {"cornering stiffness", "N/deg"},
+                     {"slip stiffness", "N"},
+                     {"camber stiffness", "N/deg"},
+                     {"lateral peak friction", "1"},
+                     {"at slip angle", "deg"},
+                     {"longitudinal peak friction", "1"},
+                     {"at slip", "1"},
+                     {"locked friction", "1"},
+                     {"pneumatic trail", "m"}},
+                    {}};
+    for (const TireFigures& f : figures) {
+        table.rows.push_back({f.load, f.cornering_stiffness / degree, f.slip_stiffness, f.camber_stiffness / degree,
+                              f.peak_y, degree * f.peak_alpha, f.peak_x, f.peak_kappa, f.sliding_x, f.trail});
+    }
+    return table;
 }
 
 nlohmann::json json_of(const io::TirFile& file, const std::vector<TireFigures>& figures) {
@@ -128,8 +147,15 @@ io::ExitCode tire(const Options& options) {
                    csv({curves.combined[i]}, "slip", 1, "1"));
     }
     write_file(options.output + "/lateral.csv", csv(curves.lateral, "slip angle", degree, "deg"));
-    io::write_page(options.output + "/tire.svg", options.file, page(curves), 3);
-    fmt::print(stderr, "wrote tables and a page of curves to {}\n", options.output);
+    io::Page page{.title = std::filesystem::path(options.file).filename().string(),
+                  .subtitle = file.format,
+                  .blocks = {},
+                  .runs = {}};
+    for (io::Chart& chart : charts(curves)) page.blocks.push_back(std::move(chart));
+    page.blocks.push_back(figures_table(figures));
+    for (const std::string& note : file.notes) page.blocks.push_back(io::Paragraph{note});
+    io::write_page(options.output + "/tire.html", page);
+    fmt::print(stderr, "wrote tire.html and tables of the curves to {}\n", options.output);
     return io::ExitCode::ok;
 }
 

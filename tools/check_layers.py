@@ -20,7 +20,7 @@ LAYERS = [
     ["engine"],
     ["io"],
     ["run"],
-    ["batch"],
+    ["batch", "live"],
     ["bench"],
 ]
 LEVEL = {room: level for level, rooms in enumerate(LAYERS) for room in rooms}

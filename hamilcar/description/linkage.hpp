@@ -22,6 +22,8 @@ struct TreeJointDescription {
     Point point{};           // center of a rotation
     Point axis{};            // of a revolute or prismatic joint, the first of a universal one; unit
     Point second_axis{};     // of a universal joint, on the cross; unit
+    std::optional<Point>
+        other_bush;  // of a revolute joint with two of them, the point is the first; for pictures alone
 };
 
 // How many coordinates a tree joint has.
@@ -54,9 +56,10 @@ struct CutJointDescription {
     std::string name;                // "tie rod"
     std::size_t part = 1, base = 0;  // what the tip and what the foot sit on
     Point tip{}, foot{};
-    Point axis{};                  // on the base; unit
-    Point drive{};                 // the rack moves the foot by this times its displacement [1]
-    std::optional<double> length;  // of a distance or an arm [m]; from the points if absent
+    Point axis{};                     // on the base; unit
+    Point drive{};                    // the rack moves the foot by this times its displacement [1]
+    std::optional<double> length;     // of a distance or an arm [m]; from the points if absent
+    std::optional<Point> other_bush;  // of an arm with two of them, the foot is the first; for pictures alone
 };
 
 // Coordinates are those of the tree joints one after the other: angles and lengths, zero at design. A free joint has three

@@ -48,6 +48,8 @@ struct OutputDescription {
     double interval = 0.01;             // [s]
     std::vector<std::string> channels;  // names or prefixes with '*'; empty: the default set
     bool csv = true, netcdf = true;
+    bool motion = true;  // netCDF: also what a picture of the vehicle is drawn from
+    bool report = true;  // a page with the film and the plots of the run
 };
 
 struct ScenarioDescription {
@@ -62,6 +64,7 @@ struct ScenarioDescription {
     SignalDescription drive;     // torque at the driven wheels together [N m]
     SignalDescription brake;     // pedal command, 0 to 1 [1]
     OutputDescription output;
+    std::vector<std::array<double, 2>> cones;  // that mark a course; nothing feels them: x, y on the ground [m]
 };
 
 }  // namespace hamilcar

@@ -20,6 +20,14 @@ public:
                 .time = time};
     }
 
+    // A driver who decides from step to step: from `now.time` on the rack goes as its displacement, rate and acceleration
+    // say, torque and brake stay. Without allocation.
+    void follow(const Input<double>& now, double step) {
+        rack_.follow(now.time, {now.rack.displacement, now.rack.rate, now.rack.acceleration}, step);
+        drive_.follow(now.time, {now.drive_torque}, step);
+        brake_.follow(now.time, {now.brake}, step);
+    }
+
     const Signal& rack() const { return rack_; }
     const Signal& drive() const { return drive_; }
     const Signal& brake() const { return brake_; }

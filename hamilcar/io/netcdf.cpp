@@ -24,9 +24,12 @@ constexpr std::size_t rows_per_block = 256;
 constexpr std::size_t file_buffer = 1 << 18;  // of the library; small ones cost ten times as much per row [byte]
 constexpr int closed = -1;
 
+using Attributes = std::vector<std::pair<std::string, std::string>>;
+
 class NetcdfWriter final : public ResultWriter {
 public:
-    NetcdfWriter(const std::string& path, const std::vector<Column>& columns, const std::string& title) : path_(path) {
+    NetcdfWriter(const std::string& path, const std::vector<Column>& columns, const Attributes& attributes)
+        : path_(path) {
         // The library deletes what it could not create, a device node too.
         if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path)) {
             throw Error(ExitCode::input_output, path_ + ": cannot open for writing: not a regular file");
@@ -34,7 +37,7 @@ public:
         std::size_t buffer = file_buffer;
         check(nc__create(path.c_str(), NC_CLOBBER | NC_64BIT_OFFSET, 0, &buffer, &file_), "open for writing");
         try {
-            define(columns, title);
+            define(columns, attributes);
         } catch (const Error&) {
             nc_abort(std::exchange(file_, closed));
             throw;
@@ -72,9 +75,8 @@ public:
     }
 
 private:
-    void define(const std::vector<Column>& columns, const std::string& title) {
-        set_text(NC_GLOBAL, "title", title);
-        set_text(NC_GLOBAL, "source", "Hamilcar " HAMILCAR_VERSION);
+    void define(const std::vector<Column>& columns, const Attributes& attributes) {
+        for (const auto& [name, text] : attributes) set_text(NC_GLOBAL, name, text);
         int dimension = 0, previous_fill = 0;
         check(nc_def_dim(file_, "time", NC_UNLIMITED, &dimension), "define the dimension time");
         define_variable(dimension, {"time", "s", "time since the start of the run"});
@@ -92,8 +94,8 @@ private:
         variables_.push_back(variable);
     }
 
-    void set_text(int variable, const char* attribute, const std::string& text) {
-        check(nc_put_att_text(file_, variable, attribute, text.size(), text.data()), "set an attribute");
+    void set_text(int variable, const std::string& attribute, const std::string& text) {
+        check(nc_put_att_text(file_, variable, attribute.c_str(), text.size(), text.data()), "set an attribute");
     }
 
     void store_block() {
@@ -138,8 +140,10 @@ private:
 }  // namespace
 
 std::unique_ptr<ResultWriter> open_netcdf(const std::string& path, const std::vector<Column>& columns,
-                                          const std::string& title) {
-    return std::make_unique<NetcdfWriter>(path, columns, title);
+                                          const std::string& title, const Attributes& attributes) {
+    Attributes all{{"title", title}, {"source", "Hamilcar " HAMILCAR_VERSION}};
+    all.insert(all.end(), attributes.begin(), attributes.end());
+    return std::make_unique<NetcdfWriter>(path, columns, all);
 }
 
 }  // namespace hamilcar::io

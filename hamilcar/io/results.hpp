@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hamilcar::io {
@@ -24,9 +25,10 @@ public:
     virtual void close() = 0;  // flush, and report what a destructor could not
 };
 
-// `title` and `source` become global attributes (netCDF) or nothing (CSV: the first row is `name [unit]` headings).
+// `title` and further attributes become global attributes (netCDF) or nothing (CSV: the first row is `name [unit]` headings).
 std::unique_ptr<ResultWriter> open_csv(const std::string& path, const std::vector<Column>& columns);
 std::unique_ptr<ResultWriter> open_netcdf(const std::string& path, const std::vector<Column>& columns,
-                                          const std::string& title);
+                                          const std::string& title,
+                                          const std::vector<std::pair<std::string, std::string>>& attributes = {});
 
 }  // namespace hamilcar::io

@@ -86,7 +86,15 @@ OutputDescription read_output(const TableReader& table) {
     return {.interval = table.number("interval_s", not_negative, OutputDescription{}.interval),
             .channels = table.texts("channels"),
             .csv = table.boolean("csv", true),
-            .netcdf = table.boolean("netcdf", true)};
+            .netcdf = table.boolean("netcdf", true),
+            .motion = table.boolean("motion", true),
+            .report = table.boolean("report", true)};
+}
+
+std::vector<std::array<double, 2>> read_cones(const TableReader& course) {
+    std::vector<std::array<double, 2>> cones;
+    for (const TableReader& cone : course.tables("cone")) cones.push_back(cone.array<2>("position_m"));
+    return cones;
 }
 
 }  // namespace
@@ -123,6 +131,7 @@ ScenarioDescription read_scenario(const TableReader& file) {
     if (const auto table = file.optional_table("solver")) scenario.solver = read_solver(*table);
     if (const auto table = file.optional_table("initial")) scenario.initial = read_initial(*table);
     if (const auto table = file.optional_table("road")) scenario.road = read_road(*table);
+    if (const auto table = file.optional_table("course")) scenario.cones = read_cones(*table);
     if (const auto table = file.optional_table("inputs")) read_inputs(*table, scenario);
     if (const auto table = file.optional_table("output")) scenario.output = read_output(*table);
     file.expect(scenario.solver.step <= scenario.duration, "duration_s",

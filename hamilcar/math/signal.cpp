@@ -40,4 +40,14 @@ Signal::Signal(const SignalDescription& d, double scale) {
     spans_.push_back({{.y0 = value.back()}, d.time.back(), forever});
 }
 
+void Signal::follow(double time, const SignalValue<double>& now, double scale) {
+    spans_.resize(1);
+    spans_[0] = {{.inverse_duration = 1 / scale,
+                  .y0 = now.value,
+                  .a = now.rate * scale,
+                  .b = 0.5 * now.acceleration * (scale * scale)},
+                 time,
+                 forever};
+}
+
 }  // namespace hamilcar

@@ -35,6 +35,9 @@ public:
     Signal() = default;
     // `scale` turns the table's unit into the input's.
     explicit Signal(const SignalDescription& description, double scale = 1);
+    // From now on y + rate t + acceleration t^2 / 2, t since `time` [s]; without allocation. `scale` is the time that the
+    // piece is written over [s].
+    void follow(double time, const SignalValue<double>& now, double scale);
 
     // A piece and how long it is in force.
     struct Span {

@@ -7,6 +7,7 @@
 
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/spelling.hpp"
+#include "hamilcar/run/motion_channels.hpp"
 #include "hamilcar/run/suspension_channels.hpp"
 
 namespace hamilcar {
@@ -80,12 +81,17 @@ void add_chassis_channels(std::vector<Channel>& list) {
     }
 }
 
-void add_car_channels(std::vector<Channel>& list) {
+void add_car_channels(const VehicleDescription& vehicle, std::vector<Channel>& list) {
     const auto add = [&](std::string name, std::string unit, std::string what, auto read, bool standard = false) {
         list.push_back({{std::move(name), std::move(unit), std::move(what)}, read, standard});
     };
     add(
         "input.rack", "m", "rack displacement (q17)", [](const Sample& s) { return s.input.rack.displacement; }, true);
+    if (const double travel = vehicle.steering.rack_per_revolution; travel > 0) {
+        add(
+            "input.steering_wheel", "deg", "of the steering wheel, to the left positive",
+            [travel](const Sample& s) { return 360 * s.input.rack.displacement / travel; }, true);
+    }
     add(
         "input.drive_torque", "N m", "at the driven wheels together",
         [](const Sample& s) { return s.input.drive_torque; }, true);
@@ -114,13 +120,18 @@ bool matches(const std::string& name, const std::string& pattern) {
     return name == pattern;
 }
 
+bool contains(const std::vector<Channel>& list, const Channel& channel) {
+    return std::ranges::any_of(list, [&](const Channel& one) { return one.column.name == channel.column.name; });
+}
+
 }  // namespace
 
 std::vector<Channel> all_channels(const VehicleDescription& vehicle) {
     std::vector<Channel> list;
     add_chassis_channels(list);
-    add_car_channels(list);
+    add_car_channels(vehicle, list);
     add_suspension_channels(vehicle, list);
+    add_motion_channels(vehicle, list);
     return list;
 }
 
@@ -137,8 +148,7 @@ std::vector<Channel> select_channels(const std::vector<Channel>& all, const std:
         for (const Channel& channel : all) {
             if (!matches(channel.column.name, name)) continue;
             found = true;
-            const auto same = [&](const Channel& other) { return other.column.name == channel.column.name; };
-            if (std::none_of(chosen.begin(), chosen.end(), same)) chosen.push_back(channel);
+            if (!contains(chosen, channel)) chosen.push_back(channel);
         }
         if (found) continue;
         std::vector<std::string_view> known;
@@ -151,6 +161,12 @@ std::vector<Channel> select_channels(const std::vector<Channel>& all, const std:
             "output.channels");
     }
     return chosen;
+}
+
+void add_missing_motion(const std::vector<Channel>& all, std::vector<Channel>& chosen) {
+    for (const Channel& channel : all) {
+        if (channel.motion && !contains(chosen, channel)) chosen.push_back(channel);
+    }
 }
 
 }  // namespace hamilcar

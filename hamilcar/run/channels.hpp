@@ -16,6 +16,8 @@ struct Channel {
     io::Column column;
     std::function<double(const Sample&)> read;
     bool standard = false;  // part of the default set
+    bool motion =
+        false;  // what a picture of the vehicle is drawn from; netCDF results have them beside the chosen ones
 };
 
 // Every channel of a vehicle: the car's own, then each corner's with the corner's name in front.
@@ -24,5 +26,8 @@ std::vector<Channel> all_channels(const VehicleDescription& vehicle);
 // The channels whose names match (a trailing '*' stands for anything); the default set for an empty list. Throws
 // io::Error(bad_file) for a name that matches nothing, with the nearest known one.
 std::vector<Channel> select_channels(const std::vector<Channel>& all, const std::vector<std::string>& names);
+
+// Adds the motion channels that are not among the chosen ones.
+void add_missing_motion(const std::vector<Channel>& all, std::vector<Channel>& chosen);
 
 }  // namespace hamilcar

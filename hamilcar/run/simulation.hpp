@@ -66,6 +66,8 @@ public:
     void restore(const Snapshot& from);
     // Another driver from now on, as a predictive controller tries one after the other.
     void set_schedule(const Schedule& schedule) { schedule_ = schedule; }
+    // The driver of a simulator decides anew before every step; `now.time` is the present. Without allocation.
+    void follow(const Input<double>& now) { schedule_.follow(now, scenario_.solver.step); }
 
     Sample sample() const;
     const Model<double>& model() const { return model_; }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "hamilcar/run/unit_place.hpp"
+
 namespace hamilcar {
 
 namespace {
@@ -174,13 +176,8 @@ void add_trailer_channels(std::vector<Channel>& list, const TrailerDescription& 
             list, fmt::format("{}.position.{}", trailer.name, axes[axis]), "m",
             "center of mass of the trailer's chassis, ground axes",
             [i, axis](const Sample& s) {
-                std::vector<UnitPlace<double>> places{{s.state.position(), s.velocity.R_GC}};
-                for (std::size_t k = 0; k <= i; ++k) {
-                    places.push_back(behind(places[static_cast<std::size_t>(s.model.vehicle.trailers[k].tow)],
-                                            s.velocity.composed.trailers[k].pose));
-                }
-                const Vec3<double>& center = s.model.vehicle.trailers[i].chassis.center;
-                return (places.back().position + places.back().R * center)[axis];
+                const UnitPlace<double> place = unit_place(s, i + 1);
+                return (place.position + place.R * s.model.vehicle.trailers[i].chassis.center)[axis];
             },
             axis < 2);
     }

@@ -11,6 +11,7 @@ Composition hinge(const Point& from, const Point& to, const char* part) {
     Point axis = direction_between(from, to);
     if (axis[1] < 0) axis = {-axis[0], -axis[1], -axis[2]};  // toward +y on both sides
     const std::size_t carrier = out.join(TreeJoint::revolute, part, 0, to, axis);
+    out.linkage.joints.back().other_bush = from;
     out.parts = {{"carrier", carrier, carrier, true, true}};
     out.carriers = {carrier};
     return out;
@@ -27,10 +28,8 @@ Composition swinging(const Hardpoints& p) {
 // The arm's two hinges leave the carrier one rotation about the outer axis, which the camber link takes.
 Composition h_arm(const Hardpoints& p) {
     Composition out;
-    const std::size_t arm = out.join(TreeJoint::revolute, "lower arm", 0, p["arm_rear_m"],
-                                     direction_between(p["arm_rear_m"], p["arm_front_m"]));
-    const std::size_t carrier = out.join(TreeJoint::revolute, "carrier", arm, p["outer_rear_m"],
-                                         direction_between(p["outer_rear_m"], p["outer_front_m"]));
+    const std::size_t arm = out.hinge("lower arm", 0, p["arm_rear_m"], p["arm_front_m"]);
+    const std::size_t carrier = out.hinge("carrier", arm, p["outer_rear_m"], p["outer_front_m"]);
     out.cut(CutJoint::distance, "camber link", carrier, p["camber_link_carrier_m"], 0, p["camber_link_body_m"]);
     out.linkage.independent = {0};
     out.parts = {{"carrier", carrier, carrier, true, true}, {"lower_arm", arm, arm, true, false}};

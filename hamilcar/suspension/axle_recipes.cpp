@@ -23,9 +23,8 @@ void add_pair(Composition& to, const std::string& name, std::size_t axle, const 
 // Knuckles on kingpins, tied together; a drag link from the steering gear moves the left one.
 void add_steering(Composition& to, const Hardpoints& p, std::size_t axle) {
     const Point lower = p["kingpin_lower_m"], upper = p["kingpin_upper_m"];
-    const std::size_t left = to.join(TreeJoint::revolute, "left knuckle", axle, lower, direction_between(lower, upper));
-    const std::size_t right = to.join(TreeJoint::revolute, "right knuckle", axle, mirrored(lower),
-                                      direction_between(mirrored(lower), mirrored(upper)));
+    const std::size_t left = to.hinge("left knuckle", axle, lower, upper);
+    const std::size_t right = to.hinge("right knuckle", axle, mirrored(lower), mirrored(upper));
     to.cut(CutJoint::distance, "tie rod", left, p["tie_rod_m"], right, mirrored(p["tie_rod_m"]));
     to.cut(CutJoint::distance, "drag link", left, p["drag_link_knuckle_m"], 0, p["drag_link_body_m"]).drive =
         p["rack_axis"];

@@ -56,6 +56,9 @@ struct PartChoice {
     bool has_table = false, needs_table = false;  // [axle.NAME] with mass, center and inertia
 };
 
+// Unit vector from a to b.
+Point direction_between(const Point& a, const Point& b);
+
 struct Composition {
     LinkageDescription linkage;
     std::vector<PartChoice> parts;
@@ -69,11 +72,24 @@ struct Composition {
         linkage.joints.push_back({kind, part, parent, point, axis, second_axis});
         return linkage.joints.size();
     }
+    // A part that turns in two bushes.
+    std::size_t hinge(const std::string& part, std::size_t parent, const Point& bush, const Point& other) {
+        join(TreeJoint::revolute, part, parent, bush, direction_between(bush, other));
+        linkage.joints.back().other_bush = other;
+        return linkage.joints.size();
+    }
     CutJointDescription& cut(CutJoint kind, const std::string& name, std::size_t part, const Point& tip,
                              std::size_t base, const Point& foot) {
         CutJointDescription cut;
         cut.kind = kind, cut.name = name, cut.part = part, cut.tip = tip, cut.base = base, cut.foot = foot;
         return linkage.cuts.emplace_back(cut);
+    }
+    // A massless arm that turns in two bushes on the chassis, with its ball at the tip.
+    CutJointDescription& arm(const std::string& name, std::size_t part, const Point& ball, const Point& bush,
+                             const Point& other) {
+        CutJointDescription& arm = cut(CutJoint::revolute_spherical, name, part, ball, 0, bush);
+        arm.axis = direction_between(bush, other), arm.other_bush = other;
+        return arm;
     }
 };
 
@@ -86,9 +102,6 @@ struct Recipe {
     bool may_have_rocker = false;
     Composition (*compose)(const Hardpoints&) = nullptr;  // of the left side, or of both wheels
 };
-
-// Unit vector from a to b.
-Point direction_between(const Point& a, const Point& b);
 
 // Every recipe; a new one is one file and one line in recipes.cpp.
 const std::vector<const Recipe*>& recipes();

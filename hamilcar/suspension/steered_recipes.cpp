@@ -26,9 +26,7 @@ Composition macpherson(const Hardpoints& p) {
     const std::size_t strut = out.join(TreeJoint::spherical, "strut", 0, p["strut_top_m"]);
     const std::size_t carrier = out.join(TreeJoint::prismatic, "carrier", strut, p["slide_point_m"],
                                          direction_between(p["strut_top_m"], p["slide_point_m"]));
-    CutJointDescription& arm =
-        out.cut(CutJoint::revolute_spherical, "control arm", carrier, p["ball_joint_m"], 0, p["arm_front_m"]);
-    arm.axis = direction_between(p["arm_front_m"], p["arm_rear_m"]);
+    CutJointDescription& arm = out.arm("control arm", carrier, p["ball_joint_m"], p["arm_front_m"], p["arm_rear_m"]);
     if (p.numbers.contains("arm_length_m")) arm.length = p.number("arm_length_m");
     add_rod(out, p, "tie rod", carrier, p["tie_rod_outer_m"], p["rack_end_m"]);
     if (p.numbers.contains("tie_rod_length_m")) out.linkage.cuts.back().length = p.number("tie_rod_length_m");
@@ -52,11 +50,9 @@ void add_rocker(Composition& to, const Hardpoints& p) {
 // The lower arm carries the carrier's lower ball; the upper arm has no mass of its own and is a cut joint.
 Composition double_wishbone(const Hardpoints& p) {
     Composition out;
-    const std::size_t arm = out.join(TreeJoint::revolute, "lower arm", 0, p["lower_rear_m"],
-                                     direction_between(p["lower_rear_m"], p["lower_front_m"]));
+    const std::size_t arm = out.hinge("lower arm", 0, p["lower_rear_m"], p["lower_front_m"]);
     const std::size_t carrier = out.join(TreeJoint::spherical, "carrier", arm, p["lower_ball_m"]);
-    out.cut(CutJoint::revolute_spherical, "upper arm", carrier, p["upper_ball_m"], 0, p["upper_rear_m"]).axis =
-        direction_between(p["upper_rear_m"], p["upper_front_m"]);
+    out.arm("upper arm", carrier, p["upper_ball_m"], p["upper_rear_m"], p["upper_front_m"]);
     add_rod(out, p, p.flag("steered") ? "tie rod" : "toe link", carrier, p["tie_rod_outer_m"], p["tie_rod_body_m"]);
     out.linkage.independent = {0};  // the lower arm's angle
     out.parts = {{"carrier", carrier, carrier, true, true}, {"lower_arm", arm, arm, true, false}};

@@ -34,8 +34,9 @@ Mirrored mirror(const std::string& name) {
         const auto at = name.find(from);
         if (at != std::string::npos) other = name.substr(0, at) + to + name.substr(at + from.size());
     }
-    for (const char* odd : {".y", "lateral", "roll", "yaw", "input.rack", "wheel.steer", "bryant.1", "bryant.3",
-                            "slip_angle", "inclination", "aligning_moment", "overturning_moment"}) {
+    for (const char* odd :
+         {".y", ".qx", ".qz", "lateral", "roll", "yaw", "input.rack", "steering_wheel", "wheel.steer", "bryant.1",
+          "bryant.3", "slip_angle", "inclination", "aligning_moment", "overturning_moment"}) {
         const bool bar = name.find("anti_roll_bar") != std::string::npos;
         if (!bar && name.find(odd) != std::string::npos) return {other, -1};
     }

@@ -19,7 +19,7 @@ TEST_F(Program, ShowsATiresFigures) {
     ASSERT_EQ(r.code, 0) << r.err;
     EXPECT_THAT(r.out, HasSubstr("MF-Tyre 6.0 (FITTYP 60)"));
     EXPECT_THAT(r.out, testing::Not(HasSubstr("note:"))) << "the shipped file leaves nothing open";
-    for (const char* name : {"tire/longitudinal.csv", "tire/lateral.csv", "tire/tire.svg"}) {
+    for (const char* name : {"tire/longitudinal.csv", "tire/lateral.csv", "tire/tire.html"}) {
         EXPECT_TRUE(fs::exists(folder_ / name)) << name;
     }
     const std::string lateral = contents(folder_ / "tire/lateral.csv");

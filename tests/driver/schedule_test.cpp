@@ -144,5 +144,21 @@ TEST(Schedule, PassesDriveAndBrakeOn) {
     EXPECT_EQ(schedule(5).drive_torque, 600);
 }
 
+// The piece that a driver leads on from goes as its Taylor series, whatever it is written over.
+TEST(Schedule, FollowsADriverFromStepToStep) {
+    Schedule schedule({}, {});
+    for (const double step : {1e-3, 0.02}) {
+        schedule.follow({.rack = {0.01, -0.2, 3}, .drive_torque = 150, .brake = 0.25, .time = 2}, step);
+        for (const double after : {0.0, 1e-3, 0.5}) {
+            const Input<double> input = schedule(2 + after);
+            EXPECT_NEAR(input.rack.displacement, 0.01 - 0.2 * after + 1.5 * after * after, 1e-15);
+            EXPECT_NEAR(input.rack.rate, -0.2 + 3 * after, 1e-14);
+            EXPECT_NEAR(input.rack.acceleration, 3, 1e-13);
+            EXPECT_EQ(input.drive_torque, 150);
+            EXPECT_EQ(input.brake, 0.25);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace hamilcar

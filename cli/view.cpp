@@ -1,0 +1,120 @@
+// `hamilcar view RESULT...`: the film of one run or of several beside each other, with their plots, as one page.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "commands.hpp"
+#include "hamilcar/io/page.hpp"
+#include "hamilcar/io/result_file.hpp"
+#include "hamilcar/run/film.hpp"
+
+namespace hamilcar::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Scenario and, where several results share that, the folder that tells them apart.
+std::string name_of(const std::string& path, const std::string& title, bool alone) {
+    if (alone) return title;
+    const std::string folder = fs::absolute(path).parent_path().filename().string();
+    return title.empty() ? folder : fmt::format("{} ({})", title, folder);
+}
+
+// Which columns only move the picture: those that its scene names.
+bool moves_picture(const std::string& name) {
+    for (const char* part : {".pose.", ".contact.", ".ground_force."}) {
+        if (name.find(part) != std::string::npos) return true;
+    }
+    return false;
+}
+
+io::PageRun read_run(const std::string& path, const Options& options) {
+    io::ResultFile file = io::read_result(path);
+    io::PageRun run{.name = name_of(path, file.title, options.files.size() == 1),
+                    .file = path,
+                    .columns = std::move(file.columns),
+                    .values = std::move(file.values),
+                    .motion = {},
+                    .scene = std::move(file.scene),
+                    .tiles = std::move(file.tiles)};
+    for (const io::Column& column : run.columns) run.motion.push_back(moves_picture(column.name));
+    const std::size_t rows = run.values[0].size();
+    thin(run, static_cast<std::size_t>(options.rows));
+    if (run.values[0].size() < rows) {
+        fmt::print(stderr, "hamilcar: {}: {} of {} rows are shown; --rows {} shows all\n", path, run.values[0].size(),
+                   rows, rows);
+    }
+    if (run.scene.empty()) {
+        fmt::print(stderr, "hamilcar: {}: no motion was recorded (output.motion); plots only\n", path);
+    }
+    return run;
+}
+
+struct Extremes {
+    double least, most;
+};
+
+Extremes extremes(const std::vector<double>& values) {
+    Extremes found{std::nan(""), std::nan("")};
+    for (const double value : values) {
+        found.least = std::fmin(found.least, value), found.most = std::fmax(found.most, value);
+    }
+    return found;
+}
+
+// The least and the largest value of every channel, run beside run.
+io::Table comparison(const std::vector<io::PageRun>& runs) {
+    io::Table table{"Least and largest values", {{"channel", ""}, {"unit", ""}}, {}};
+    for (const io::PageRun& run : runs) {
+        table.columns.emplace_back(run.name + ", least", "");
+        table.columns.emplace_back("largest", "");
+    }
+    const std::vector<io::Column>& first = runs[0].columns;
+    for (std::size_t i = 1; i < first.size(); ++i) {
+        if (runs[0].motion[i]) continue;
+        std::vector<io::Cell> row{first[i].name, first[i].unit};
+        for (const io::PageRun& run : runs) {
+            const auto same = [&](const io::Column& column) { return column.name == first[i].name; };
+            const auto at = std::ranges::find_if(run.columns, same) - run.columns.begin();
+            if (at == static_cast<std::ptrdiff_t>(run.columns.size())) {
+                row.insert(row.end(), 2, io::Cell());
+                continue;
+            }
+            const Extremes range = extremes(run.values[static_cast<std::size_t>(at)]);
+            row.emplace_back(range.least), row.emplace_back(range.most);
+        }
+        table.rows.push_back(row);
+    }
+    return table;
+}
+
+}  // namespace
+
+void open_in_browser(const std::string& address) {
+    const std::string command = "command -v xdg-open >/dev/null && [ -n \"$DISPLAY$WAYLAND_DISPLAY\" ] && (xdg-open '" +
+                                address + "' >/dev/null 2>&1 &)";
+    if (address.find('\'') != std::string::npos || std::system(command.c_str()) != 0) {
+        fmt::print(stderr, "hamilcar: no browser could be started; open {} yourself\n", address);
+    }
+}
+
+io::ExitCode view(const Options& options) {
+    io::Page page;
+    for (const std::string& file : options.files) page.runs.push_back(read_run(file, options));
+    const bool alone = page.runs.size() == 1;
+    page.title = alone ? page.runs[0].name : fmt::format("{} runs", page.runs.size());
+    for (const io::PageRun& run : page.runs) page.subtitle += (page.subtitle.empty() ? "" : ", ") + run.file;
+    page.blocks = {io::Replay{}, io::Heading{alone ? "Range of every channel" : "Comparison"}, comparison(page.runs)};
+    const fs::path folder = fs::path(options.files[0]).parent_path();
+    const std::string path =
+        options.output.empty() ? (folder / (alone ? "view.html" : "comparison.html")).string() : options.output;
+    io::write_page(path, page);
+    fmt::print("{}\n", path);
+    if (options.open) open_in_browser(fs::absolute(path).string());
+    return io::ExitCode::ok;
+}
+
+}  // namespace hamilcar::cli

@@ -1,0 +1,71 @@
+// Pages for people: one self-contained HTML file with charts, tables and the film of runs. The page itself, what draws them, is
+// built from web/ and part of the program; what is written here is the document that it shows (web/src/document.ts).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "hamilcar/io/results.hpp"
+#include "hamilcar/road/tile.hpp"
+
+namespace hamilcar::io {
+
+struct Curve {
+    std::string label;
+    std::vector<double> x, y;  // NaN: a gap
+    bool points = false;       // marks as well as a line
+};
+
+struct Chart {
+    std::string title, x_label, y_label;  // labels with their unit: "time [s]"
+    std::vector<Curve> curves;
+    bool log_y = false;
+    std::vector<std::pair<double, std::string>> vertical_marks;  // x and its label
+    bool log_x = false;
+};
+
+using Cell = std::variant<std::monostate, double, std::string>;  // monostate: does not exist
+
+struct Table {
+    std::string title;
+    std::vector<std::pair<std::string, std::string>> columns;  // name and unit, "" for none
+    std::vector<std::vector<Cell>> rows;
+};
+
+struct Heading {
+    std::string text;
+};
+struct Paragraph {
+    std::string text;
+};
+struct Replay {};  // the film of the page's runs with their plots
+
+using PageBlock = std::variant<Heading, Paragraph, Chart, Table, Replay>;
+
+// A run as rows of a result file, column by column; the first is "time".
+struct PageRun {
+    std::string name;
+    std::string file;  // that it was read from, or empty
+    std::vector<Column> columns;
+    std::vector<std::vector<double>> values;
+    std::vector<bool> motion;  // of each column: whether it only moves the picture, where single precision will do
+    std::string scene;         // JSON (run/scene.hpp); empty: nothing to draw but plots
+    std::vector<RoadTile> tiles;
+};
+
+struct Page {
+    std::string title, subtitle;
+    std::vector<PageBlock> blocks;
+    std::vector<PageRun> runs;
+};
+
+// The page without a document: `hamilcar drive` serves it so.
+std::string_view page_template();
+
+// The same bytes for the same page. Throws Error(input_output) where the file cannot be written.
+void write_page(const std::string& path, const Page& page);
+
+}  // namespace hamilcar::io

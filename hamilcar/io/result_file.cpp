@@ -1,0 +1,146 @@
+#include "hamilcar/io/result_file.hpp"
+
+#include <netcdf.h>
+
+#include <array>
+#include <filesystem>
+
+#include "hamilcar/io/error.hpp"
+
+namespace hamilcar::io {
+
+namespace {
+
+constexpr std::size_t heights_of_tile = std::size_t{tile_nodes} * std::size_t{tile_nodes};
+
+// An open netCDF file that closes itself.
+class NetcdfFile {
+public:
+    enum class Mode { read, create };
+
+    NetcdfFile(const std::string& path, Mode mode) : path_(path) {
+        if (mode == Mode::create) {
+            check(nc_create(path.c_str(), NC_CLOBBER | NC_64BIT_OFFSET, &id_), "open for writing");
+            return;
+        }
+        if (!std::filesystem::exists(path)) throw Error(ExitCode::input_output, path + ": no such file");
+        const int status = nc_open(path.c_str(), NC_NOWRITE, &id_);
+        if (status == NC_NOERR) return;
+        const bool csv = std::filesystem::path(path).extension() == ".csv";
+        throw Error(ExitCode::bad_file,
+                    path + ": expected a netCDF file of results (results.nc): " +
+                        (csv ? "a table of text has no units and no picture" : std::string(nc_strerror(status))));
+    }
+    NetcdfFile(const NetcdfFile&) = delete;
+    NetcdfFile& operator=(const NetcdfFile&) = delete;
+    ~NetcdfFile() {
+        if (id_ >= 0) nc_close(id_);
+    }
+
+    int id() const { return id_; }
+    void check(int status, const std::string& action) const {
+        if (status == NC_NOERR) return;
+        throw Error(ExitCode::input_output, path_ + ": cannot " + action + ": " + nc_strerror(status));
+    }
+    // Empty where there is none.
+    std::string text(int variable, const char* attribute) const {
+        std::size_t length = 0;
+        nc_type type = NC_NAT;
+        if (nc_inq_att(id_, variable, attribute, &type, &length) != NC_NOERR || type != NC_CHAR) return {};
+        std::string value(length, '\0');
+        check(nc_get_att_text(id_, variable, attribute, value.data()), std::string("read the attribute ") + attribute);
+        return value;
+    }
+
+private:
+    std::string path_;
+    int id_ = -1;
+};
+
+std::vector<RoadTile> read_tiles(const std::string& path) {
+    const NetcdfFile file(path, NetcdfFile::Mode::read);
+    int dimension = 0, index = 0, height = 0;
+    std::size_t count = 0;
+    file.check(nc_inq_dimid(file.id(), "tile", &dimension), "find the dimension tile");
+    file.check(nc_inq_dimlen(file.id(), dimension, &count), "read the dimension tile");
+    file.check(nc_inq_varid(file.id(), "index", &index), "find index");
+    file.check(nc_inq_varid(file.id(), "height", &height), "find height");
+    std::vector<RoadTile> tiles(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::array<int, 2> at{};
+        const std::array<std::size_t, 3> start{i, 0, 0}, two{1, 2, 0}, square{1, tile_nodes, tile_nodes};
+        file.check(nc_get_vara_int(file.id(), index, start.data(), two.data(), at.data()), "read index");
+        tiles[i] = {at[0], at[1], std::vector<float>(heights_of_tile)};
+        file.check(nc_get_vara_float(file.id(), height, start.data(), square.data(), tiles[i].heights.data()),
+                   "read height");
+    }
+    return tiles;
+}
+
+}  // namespace
+
+ResultFile read_result(const std::string& path) {
+    const NetcdfFile file(path, NetcdfFile::Mode::read);
+    ResultFile result{file.text(NC_GLOBAL, "title"), file.text(NC_GLOBAL, scene_attribute), {}, {}, {}};
+    int time = 0, variables = 0, dimension = 0;
+    std::size_t rows = 0;
+    if (nc_inq_dimid(file.id(), "time", &dimension) != NC_NOERR || nc_inq_varid(file.id(), "time", &time) != NC_NOERR) {
+        throw Error(ExitCode::bad_file, path +
+                                            ": expected a result of hamilcar, with a variable time [s] over a "
+                                            "dimension time");
+    }
+    file.check(nc_inq_dimlen(file.id(), dimension, &rows), "read the dimension time");
+    if (rows == 0) throw Error(ExitCode::bad_file, path + ": expected at least one row of results, found none");
+    file.check(nc_inq_nvars(file.id(), &variables), "count the variables");
+    const auto read = [&](int variable) {
+        std::array<char, NC_MAX_NAME + 1> name{};
+        int dimensions = 0, first = 0;
+        file.check(nc_inq_varname(file.id(), variable, name.data()), "read a name");
+        file.check(nc_inq_varndims(file.id(), variable, &dimensions), std::string("read the shape of ") + name.data());
+        if (dimensions != 1 || nc_inq_vardimid(file.id(), variable, &first) != NC_NOERR || first != dimension) return;
+        std::vector<double> values(rows);
+        file.check(nc_get_var_double(file.id(), variable, values.data()), std::string("read ") + name.data());
+        result.columns.push_back({name.data(), file.text(variable, "units"), file.text(variable, "long_name")});
+        result.values.push_back(std::move(values));
+    };
+    read(time);
+    for (int variable = 0; variable < variables; ++variable) {
+        if (variable != time) read(variable);
+    }
+    const std::string tiles = tiles_beside(path);
+    if (!result.scene.empty() && std::filesystem::exists(tiles)) result.tiles = read_tiles(tiles);
+    return result;
+}
+
+std::string tiles_beside(const std::string& result_path) {
+    std::filesystem::path path(result_path);
+    return path.replace_extension().string() + ".road.nc";
+}
+
+void write_tiles(const std::string& path, const std::vector<RoadTile>& tiles) {
+    const NetcdfFile file(path, NetcdfFile::Mode::create);
+    std::array<int, 3> dimensions{};
+    int two = 0, index = 0, height = 0;
+    file.check(nc_def_dim(file.id(), "tile", tiles.size(), dimensions.data()), "define a dimension");
+    file.check(nc_def_dim(file.id(), "y", tile_nodes, &dimensions[1]), "define a dimension");
+    file.check(nc_def_dim(file.id(), "x", tile_nodes, &dimensions[2]), "define a dimension");
+    file.check(nc_def_dim(file.id(), "ix_iy", 2, &two), "define a dimension");
+    const std::array<int, 2> of_index{dimensions[0], two};
+    file.check(nc_def_var(file.id(), "index", NC_INT, 2, of_index.data(), &index), "define index");
+    file.check(nc_def_var(file.id(), "height", NC_FLOAT, 3, dimensions.data(), &height), "define height");
+    const std::string meter = "m",
+                      what = "road above z = 0; tile (ix, iy) begins at x = 16 ix, y = 16 iy, nodes every 0.25 m";
+    file.check(nc_put_att_text(file.id(), height, "units", meter.size(), meter.data()), "set an attribute");
+    file.check(nc_put_att_text(file.id(), height, "long_name", what.size(), what.data()), "set an attribute");
+    file.check(nc_enddef(file.id()), "write the header");
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        const std::array<int, 2> at{tiles[i].ix, tiles[i].iy};
+        const std::array<std::size_t, 3> start{i, 0, 0}, pair{1, 2, 0}, square{1, tile_nodes, tile_nodes};
+        file.check(nc_put_vara_int(file.id(), index, start.data(), pair.data(), at.data()), "write index");
+        file.check(nc_put_vara_float(file.id(), height, start.data(), square.data(), tiles[i].heights.data()),
+                   "write height");
+    }
+    file.check(nc_sync(file.id()), "write");
+}
+
+}  // namespace hamilcar::io

@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "hamilcar/live/messages.hpp"
+
+namespace hamilcar::live {
+
+namespace {
+
+using nlohmann::json;
+using Scalar = std::variant<std::nullptr_t, bool, std::uint64_t, double, std::string>;
+using Fields = std::map<std::string, Scalar, std::less<>>;
+
+// Hears the parser's events and stops it at anything but one flat object of scalars: no depth, no tree in memory.
+class FlatObject final : public nlohmann::json_sax<json> {
+public:
+    Fields fields;
+    std::string problem;
+
+    bool start_object(std::size_t) override { return expect(!std::exchange(open_, true)); }
+    bool start_array(std::size_t) override { return expect(false); }
+    bool end_object() override { return true; }
+    bool end_array() override { return true; }
+    bool key(std::string& name) override {
+        key_ = name;
+        return !fields.contains(name) || fail(fmt::format("'{}' stands there twice", name));
+    }
+    bool null() override { return add(nullptr); }
+    bool boolean(bool value) override { return add(value); }
+    bool number_integer(std::int64_t value) override { return add(static_cast<double>(value)); }  // below zero
+    bool number_unsigned(std::uint64_t value) override { return add(value); }
+    bool number_float(double value, const std::string&) override { return add(value); }
+    bool string(std::string& value) override { return add(value); }
+    bool binary(json::binary_t&) override { return expect(false); }
+    bool parse_error(std::size_t at, const std::string&, const json::exception&) override {
+        return fail(fmt::format("not JSON near byte {}", at));
+    }
+
+private:
+    bool add(Scalar value) {
+        if (!open_) return expect(false);
+        fields.emplace(key_, std::move(value));
+        return true;
+    }
+    bool expect(bool flat) { return flat || fail("expected one flat object"); }
+    bool fail(std::string message) {
+        problem = std::move(message);
+        return false;
+    }
+
+    bool open_ = false;
+    std::string key_;
+};
+
+// Takes fields out one by one; keeps the first thing that is wrong.
+class FieldReader {
+public:
+    explicit FieldReader(Fields fields) : fields_(std::move(fields)) {}
+
+    bool flag(const char* name) { return take<bool>(name, "true or false").value_or(false); }
+    std::string text(const char* name) { return take<std::string>(name, "a text").value_or(""); }
+    double number(const char* name, double low, double high) {
+        const std::string range = fmt::format("a number from {:g} to {:g}", low, high);
+        const auto found = fields_.find(name);
+        if (found != fields_.end()) {
+            if (const auto* whole = std::get_if<std::uint64_t>(&found->second)) {
+                found->second = static_cast<double>(*whole);
+            }
+        }
+        const double value = take<double>(name, range).value_or(low);
+        if (!(value >= low && value <= high)) complain(name, range);
+        return value;
+    }
+    std::uint32_t count(const char* name) {
+        const std::uint64_t value = take<std::uint64_t>(name, "a whole number").value_or(0);
+        if (value > std::numeric_limits<std::uint32_t>::max()) complain(name, "at most 32 bits");
+        return static_cast<std::uint32_t>(value);
+    }
+    void complain(const std::string& name, std::string_view expected) {
+        if (problem_.empty()) problem_ = fmt::format("'{}': expected {}", name, expected);
+    }
+    // What is wrong, or what is there that does not belong there, or nothing.
+    std::string problem() const {
+        if (problem_.empty() && !fields_.empty())
+            return fmt::format("'{}' does not belong there", fields_.begin()->first);
+        return problem_;
+    }
+
+private:
+    template <class T>
+    std::optional<T> take(const char* name, std::string_view expected) {
+        const auto node = fields_.extract(name);
+        if (node && std::holds_alternative<T>(node.mapped())) return std::get<T>(node.mapped());
+        complain(name, expected);
+        return std::nullopt;
+    }
+
+    Fields fields_;
+    std::string problem_;
+};
+
+Device read_device(FieldReader& fields) {
+    const std::string device = fields.text("device");
+    if (device != "keys" && device != "axes") fields.complain("device", "\"keys\" or \"axes\"");
+    return device == "axes" ? Device::axes : Device::keys;
+}
+
+ClientMessage read_input(FieldReader& f) {
+    InputMessage input;
+    input.sequence = f.count("sequence");
+    input.controls = {read_device(f), f.number("steer", -1, 1), f.number("throttle", 0, 1), f.number("brake", 0, 1),
+                      f.flag("reverse")};
+    return input;
+}
+
+ClientMessage read_load(FieldReader& f) {
+    return LoadMessage{{f.text("vehicle"), f.text("road"), f.number("friction", 0.05, 1.5)}};
+}
+
+const std::map<std::string, ClientMessage (*)(FieldReader&), std::less<>>& readers() {
+    static const std::map<std::string, ClientMessage (*)(FieldReader&), std::less<>> list{
+        {"input", read_input},
+        {"load", read_load},
+        {"reset", [](FieldReader&) -> ClientMessage { return ResetMessage{}; }},
+        {"pause", [](FieldReader& f) -> ClientMessage { return PauseMessage{f.flag("on")}; }},
+        {"pace", [](FieldReader& f) -> ClientMessage { return PaceMessage{f.number("factor", 0.05, 1)}; }},
+        {"record", [](FieldReader& f) -> ClientMessage { return RecordMessage{f.flag("on")}; }},
+        {"take", [](FieldReader&) -> ClientMessage { return TakeMessage{}; }},
+    };
+    return list;
+}
+
+}  // namespace
+
+std::variant<ClientMessage, Misunderstanding> read_message(std::string_view text) {
+    FlatObject object;
+    if (!json::sax_parse(text, &object)) return Misunderstanding{object.problem};
+    FieldReader fields(std::move(object.fields));
+    const auto reader = readers().find(fields.text("type"));
+    if (reader == readers().end()) fields.complain("type", "input, load, reset, pause, pace, record or take");
+    if (reader == readers().end()) return Misunderstanding{fields.problem()};
+    ClientMessage message = reader->second(fields);
+    if (const std::string problem = fields.problem(); !problem.empty()) {
+        return Misunderstanding{fmt::format("{}: {}", reader->first, problem)};
+    }
+    return message;
+}
+
+}  // namespace hamilcar::live

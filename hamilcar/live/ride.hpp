@@ -1,0 +1,84 @@
+// A car on a road with somebody at the wheel: the simulation, the hands, and what is to be seen of it.
+//
+// Made on any thread (files, Initial Process, scene), then stepped by one; another may read what never changes, and frames.
+// It has no clock, so the same controls give the same path, bit for bit, at whatever pace and however often it is shown.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hamilcar/live/hands.hpp"
+#include "hamilcar/live/newest.hpp"
+#include "hamilcar/run/channels.hpp"
+
+namespace hamilcar::live {
+
+// What somebody wants to drive: ids of the garage, and the road's friction [1].
+struct Wish {
+    std::string vehicle, road;
+    double friction = 1;
+};
+
+// Controls, whose they are, and their number in the order of that page.
+struct Held {
+    std::uint32_t page = 0, sequence = 0;
+    Controls controls;
+};
+
+// One instant for the eye.
+struct Frame {
+    double time = 0;  // [s]
+    std::uint32_t page = 0, sequence = 0;
+    double x = 0, y = 0;        // of the vehicle's origin, ground axes [m]
+    std::vector<float> values;  // of every channel
+};
+
+class Ride {
+public:
+    // The scenario gives start, road and solver; its inputs and duration give way to the person. Throws as Simulation does.
+    Ride(std::uint32_t number, const Wish& wish, const VehicleDescription& vehicle, ScenarioDescription scenario);
+
+    // What never changes, for any thread.
+    std::uint32_t number() const { return number_; }
+    const Wish& wish() const { return wish_; }
+    const std::vector<Channel>& channels() const { return channels_; }
+    const std::string& scene() const { return scene_; }  // JSON
+    double lock() const { return car_.lock; }            // of the steering wheel, each way [rad]
+    double step() const { return simulation_.scenario().solver.step; }
+    const std::string& vehicle_name() const { return simulation_.vehicle().name; }
+    const PlaneRoad<double>& road() const { return simulation_.model().road; }
+    const Surface* surface() const { return simulation_.surface().get(); }
+    bool uneven() const;  // the surface has heights of its own
+
+    // For the thread that steps.
+    std::optional<End> advance(const Held& held);
+    void reset();                 // to the start, to the bit
+    void show(const Held& held);  // puts a frame where the other thread finds it
+    double time() const { return simulation_.time(); }
+    long steps_taken() const { return simulation_.steps_taken(); }
+    long steps_in(double duration) const;  // at least one
+    std::span<const double> observe();     // every channel, now
+    const State<double>& state() const { return simulation_.state(); }
+
+    // For the thread that shows.
+    Newest<Frame>& frames() { return frames_; }
+
+private:
+    std::uint32_t number_;
+    Wish wish_;
+    Simulation simulation_;
+    HandledCar car_;
+    Hands hands_;
+    Felt felt_;
+    std::vector<Channel> channels_;
+    std::vector<double> values_;  // of the channels, at the step below
+    long observed_ = -1;
+    std::string scene_;
+    Snapshot start_;
+    Newest<Frame> frames_;
+};
+
+}  // namespace hamilcar::live

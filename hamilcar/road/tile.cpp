@@ -1,0 +1,44 @@
+#include "hamilcar/road/tile.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace hamilcar {
+
+namespace {
+
+// Ahead and aside of a node, at fifths of the spacing: a cleat of 5 cm is met.
+constexpr std::array<double, 4> looks{-0.4 * tile_spacing, -0.2 * tile_spacing, 0.2 * tile_spacing, 0.4 * tile_spacing};
+
+double height_around(const Surface& surface, double x, double y) {
+    const double own = surface.height(x, y);
+    double most = own;
+    const auto look = [&](double there_x, double there_y) {
+        const double height = surface.height(there_x, there_y);
+        if (std::abs(height - own) > std::abs(most - own)) most = height;
+    };
+    for (const double away : looks) look(x + away, y), look(x, y + away);
+    return most;
+}
+
+}  // namespace
+
+int tile_at(double coordinate) {
+    return static_cast<int>(std::floor(coordinate / tile_size));
+}
+
+RoadTile road_tile(const PlaneRoad<double>& plane, const Surface* surface, int ix, int iy) {
+    RoadTile tile{ix, iy, {}};
+    tile.heights.reserve(static_cast<std::size_t>(tile_nodes * tile_nodes));
+    const Vec3<double>& n = plane.normal;
+    for (int row = 0; row < tile_nodes; ++row) {
+        for (int column = 0; column < tile_nodes; ++column) {
+            const double x = ix * tile_size + column * tile_spacing, y = iy * tile_size + row * tile_spacing;
+            const double above = surface ? height_around(*surface, x, y) : 0;
+            tile.heights.push_back(static_cast<float>(above - (n[0] * x + n[1] * y) / n[2]));
+        }
+    }
+    return tile;
+}
+
+}  // namespace hamilcar

@@ -1,0 +1,28 @@
+// An uneven road as people see it: square patches of heights, for pictures alone. The equations ask the surface itself.
+#pragma once
+
+#include <vector>
+
+#include "hamilcar/road/plane.hpp"
+#include "hamilcar/road/surface.hpp"
+
+namespace hamilcar {
+
+inline constexpr double tile_size = 16;                               // of a side [m]
+inline constexpr int tile_nodes = 65;                                 // along a side
+inline constexpr double tile_spacing = tile_size / (tile_nodes - 1);  // [m]
+
+// From x = ix tile_size to (ix + 1) tile_size, likewise in y; heights above ground z = 0, rows of constant y one after the
+// other. Of the ground around a node the height that differs most from the node's own counts, so that a cleat between two
+// nodes is seen.
+struct RoadTile {
+    int ix = 0, iy = 0;
+    std::vector<float> heights;  // [m]
+};
+
+RoadTile road_tile(const PlaneRoad<double>& plane, const Surface* surface, int ix, int iy);
+
+// Which tile a coordinate lies in.
+int tile_at(double coordinate);
+
+}  // namespace hamilcar

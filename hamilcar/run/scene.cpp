@@ -1,0 +1,89 @@
+#include "hamilcar/run/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hamilcar/math/convert.hpp"
+#include "hamilcar/run/scene_spoke.hpp"
+#include "hamilcar/run/unit_place.hpp"
+#include "hamilcar/suspension/compose_corner.hpp"
+
+namespace hamilcar {
+
+namespace {
+
+constexpr std::size_t strut_part = 1;  // of a MacPherson strut's composition: turns in the top mount and does not slide
+
+Pose<double> chassis() {
+    return {Mat3<double>::Identity(), Vec3<double>::Zero()};
+}
+
+// A corner's own program knows the carrier alone; the strut has its direction.
+PartPose pose_of_corner(const CornerDescription& corner, std::size_t i) {
+    const auto* strut = std::get_if<MacPhersonDescription>(&corner.suspension);
+    return [i, top = strut ? vec3(strut->strut_top) : Vec3<double>::Zero(), has_strut = strut != nullptr](
+               const Sample& s, std::size_t part) -> Pose<double> {
+        if (part == 0) return chassis();
+        const Pose<double> carrier =
+            visit_spoke(s.model.vehicle, s.velocity, static_cast<int>(i),
+                        [](const auto&, const auto&, const auto& at) -> Pose<double> { return at.position.pose; });
+        if (!has_strut || part != strut_part) return carrier;
+        return {carrier.R, top - carrier.R * top};
+    };
+}
+
+PartPose pose_of_composed(const ComposedSpokeDescription& spoke, std::size_t i) {
+    std::vector<std::size_t> frames;
+    for (std::size_t part = 0; part <= spoke.linkage.joints.size(); ++part) {
+        frames.push_back(static_cast<std::size_t>(frame_of_part(spoke.linkage, part)));
+    }
+    return
+        [i, frames](const Sample& s, std::size_t part) { return s.velocity.composed.spokes[i].at.pose[frames[part]]; };
+}
+
+// The uniform box that has the body's mass and inertia.
+SceneBody box_of_inertia(const BodyDescription& body, std::size_t unit) {
+    SceneBody box{unit, body.center_of_mass, body.center_of_mass};
+    const double sum = body.inertia[0] + body.inertia[1] + body.inertia[2];
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double half = std::sqrt(std::max(6 * (sum - 2 * body.inertia[i]) / body.mass, 0.0)) / 2;
+        box.low[i] -= half, box.high[i] += half;
+    }
+    return box;
+}
+
+SceneBody bodywork(const VehicleDescription& vehicle) {
+    if (vehicle.hull.points.empty()) return box_of_inertia(vehicle.chassis, 0);
+    SceneBody box{0, vehicle.hull.points[0], vehicle.hull.points[0]};
+    for (const Point& point : vehicle.hull.points) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            box.low[i] = std::min(box.low[i], point[i]), box.high[i] = std::max(box.high[i], point[i]);
+        }
+    }
+    return box;
+}
+
+}  // namespace
+
+Scene make_scene(const VehicleDescription& vehicle) {
+    Scene scene;
+    for (std::size_t unit = 0; unit <= vehicle.trailers.size(); ++unit) {
+        scene.frames.push_back({unit == 0 ? "chassis" : vehicle.trailers[unit - 1].name, unit, [unit](const Sample& s) {
+                                    const UnitPlace<double> place = unit_place(s, unit);
+                                    return Pose<double>{place.R, place.position};
+                                }});
+    }
+    for (std::size_t i = 0; i < vehicle.corners.size(); ++i) {
+        add_spoke(compose_corner(vehicle.corners[i]), pose_of_corner(vehicle.corners[i], i), scene);
+    }
+    for (std::size_t i = 0; i < vehicle.composed.size(); ++i) {
+        add_spoke(vehicle.composed[i], pose_of_composed(vehicle.composed[i], i), scene);
+    }
+    scene.bodies.push_back(bodywork(vehicle));
+    for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
+        scene.bodies.push_back(box_of_inertia(vehicle.trailers[i].chassis, i + 1));
+    }
+    return scene;
+}
+
+}  // namespace hamilcar

@@ -1,0 +1,56 @@
+// A garage for tests, and a session's patience: what takes a moment is waited for, but not for ever.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <thread>
+
+#include "hamilcar/io/error.hpp"
+#include "hamilcar/live/session.hpp"
+#include "support/car.hpp"
+
+namespace hamilcar::live {
+
+// "car" is the 323i on the paper's tires, "wreck" a file that cannot be read; "waves" is an uneven road, "drop" ends a run
+// within a second.
+inline Garage garage() {
+    return {.vehicles = {{"car", "A car"}, {"wreck", "None"}},
+            .roads = {{"flat", "Flat"}, {"waves", "Waves"}, {"drop", "From 4 m"}},
+            .open = [](const Wish& wish) {
+                if (wish.vehicle == "wreck") throw io::Error(io::ExitCode::bad_file, "wreck.toml: no wheels");
+                VehicleDescription car = test::paper_car();
+                ScenarioDescription scenario = test::scenario(1);
+                if (wish.road == "waves") scenario.road.waves = {{.amplitude = 0.02, .wavelength = 3}};
+                if (wish.road == "drop") {
+                    car = io::read_vehicle(test::source_path("vehicles/formula.toml"));
+                    for (CornerDescription& corner : car.corners) corner.bump = corner.rebound = {};
+                    for (ComposedSpokeDescription& spoke : car.composed) {
+                        for (ComposedWheelDescription& wheel : spoke.wheels) wheel.bump = wheel.rebound = {};
+                    }
+                    scenario.initial.settle = false, scenario.initial.height = 4;
+                }
+                return std::pair(car, scenario);
+            }};
+}
+
+inline std::string scratch_folder() {
+    static std::atomic<int> number{0};
+    const auto path = std::filesystem::temp_directory_path() /
+                      ("hamilcar_live_" + std::to_string(getpid()) + "_" + std::to_string(number++));
+    std::filesystem::remove_all(path);
+    return path.string();
+}
+
+// Whether something comes true within half a minute, however busy the machine.
+inline bool comes_true(const std::function<bool()>& condition) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (std::chrono::steady_clock::now() < end) {
+        if (condition()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return false;
+}
+
+}  // namespace hamilcar::live

@@ -1,0 +1,160 @@
+// What a page may say, and everything that comes close: nothing else is taken for it, and nothing is thrown.
+#include "hamilcar/live/messages.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstring>
+#include <random>
+
+#include "live/garage.hpp"
+
+namespace hamilcar::live {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string good_input =
+    R"({"type":"input","sequence":7,"device":"axes","steer":-0.25,"throttle":1,"brake":0,"reverse":true})";
+
+std::string problem(const std::string& text) {
+    const auto heard = read_message(text);
+    const auto* misunderstood = std::get_if<Misunderstanding>(&heard);
+    return misunderstood ? misunderstood->message : "";
+}
+
+template <class T>
+T understood(const std::string& text) {
+    const auto heard = read_message(text);
+    EXPECT_TRUE(std::holds_alternative<ClientMessage>(heard)) << text << ": " << problem(text);
+    return std::get<T>(std::get<ClientMessage>(heard));
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+    const auto at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    return text.replace(at, what.size(), by);
+}
+
+TEST(ClientMessages, AreUnderstood) {
+    const auto input = understood<InputMessage>(good_input);
+    EXPECT_EQ(input.sequence, 7u);
+    EXPECT_EQ(input.controls.device, Device::axes);
+    EXPECT_EQ(input.controls.steer, -0.25);
+    EXPECT_EQ(input.controls.throttle, 1);
+    EXPECT_EQ(input.controls.brake, 0);
+    EXPECT_TRUE(input.controls.reverse);
+    understood<ResetMessage>(R"({"type":"reset"})");
+    understood<TakeMessage>(R"({"type":"take"})");
+    EXPECT_TRUE(understood<PauseMessage>(R"({"type":"pause","on":true})").on);
+    EXPECT_EQ(understood<PaceMessage>(R"({"type":"pace","factor":0.05})").factor, 0.05);
+    EXPECT_FALSE(understood<RecordMessage>(R"( { "on" : false, "type" : "record" } )").on);
+    const Wish wish = understood<LoadMessage>(R"({"type":"load","vehicle":"a","road":"b","friction":1.5})").wish;
+    EXPECT_EQ(wish.vehicle, "a");
+    EXPECT_EQ(wish.road, "b");
+    EXPECT_EQ(wish.friction, 1.5);
+}
+
+TEST(ClientMessages, LackNothingAndHaveNothingElse) {
+    for (const char* field : {"type", "sequence", "device", "steer", "throttle", "brake", "reverse"}) {
+        const std::string name = "\"" + std::string(field) + "\"";
+        EXPECT_THAT(problem(replaced(good_input, name, "\"other\"")), HasSubstr("'" + std::string(field) + "'"));
+        EXPECT_THAT(problem(replaced(good_input, "{", "{" + name + ":0,")), HasSubstr("twice"));
+    }
+    EXPECT_THAT(problem(replaced(good_input, "{", "{\"clutch\":0,")), HasSubstr("'clutch' does not belong there"));
+    EXPECT_THAT(problem(R"({"type":"pause"})"), HasSubstr("'on': expected true or false"));
+    EXPECT_THAT(problem(R"({"type":"fly"})"), HasSubstr("'type'"));
+    EXPECT_THAT(problem(R"({})"), HasSubstr("'type'"));
+}
+
+TEST(ClientMessages, HaveFieldsOfTheirKindAndWithinTheirRange) {
+    const std::pair<const char*, std::vector<const char*>> wrong[] = {
+        {"\"sequence\":7", {"\"sequence\":-1", "\"sequence\":1.5", "\"sequence\":4294967296", "\"sequence\":\"7\""}},
+        {"\"axes\"", {"\"wheel\"", "1", "null", "\"\""}},
+        {"-0.25", {"-1.001", "2", "\"0\"", "null", "true"}},
+        {"\"throttle\":1", {"\"throttle\":-0.1", "\"throttle\":1.1", "\"throttle\":18446744073709551615"}},
+        {"\"brake\":0", {"\"brake\":-1", "\"brake\":1e9", "\"brake\":false"}},
+        {"true", {"1", "\"true\"", "null"}}};
+    for (const auto& [good, bad] : wrong) {
+        for (const char* value : bad)
+            EXPECT_THAT(problem(replaced(good_input, good, value)), HasSubstr("expected")) << value;
+    }
+    for (const char* number : {"NaN", "Infinity", "1e999", "-", "+1", "0x1", "1."}) {
+        EXPECT_NE(problem(replaced(good_input, "-0.25", number)), "") << number;
+    }
+    EXPECT_NE(problem(R"({"type":"pace","factor":0.04})"), "");
+    EXPECT_NE(problem(R"({"type":"load","vehicle":"a","road":"b","friction":0})"), "");
+}
+
+TEST(ClientMessages, AreOneFlatObject) {
+    const std::string deep(4000, '['), deeper = [] {
+        std::string text;
+        for (int i = 0; i < 600; ++i) text += "{\"a\":";
+        return text;
+    }();
+    for (const std::string& text :
+         {std::string(), std::string("null"), std::string("7"), std::string("\"reset\""), std::string("[]"), deep,
+          deeper, good_input + good_input, good_input + "x", std::string(R"({"type":{}})"),
+          std::string(R"({"type":["reset"]})"), std::string("{\"type\":\"reset\xff\"}"), std::string(4096, ' ')}) {
+        EXPECT_NE(problem(text), "") << text.substr(0, 40);
+    }
+}
+
+TEST(ClientMessages, OfRandomBytesAreAnswered) {
+    std::mt19937 random(1);
+    const std::string alphabet = "{}[]\":,.-+eE0123456789 \\utrfalsn\x80\xff";
+    for (int i = 0; i < 20000; ++i) {
+        std::string text = i % 2 ? good_input : std::string(random() % 60, ' ');
+        const std::size_t changes = i % 2 ? 1 + random() % 4 : text.size();
+        for (std::size_t k = 0; k < changes; ++k) {
+            text[i % 2 ? random() % text.size() : k] = alphabet[random() % alphabet.size()];
+        }
+        EXPECT_NO_THROW(read_message(text));
+    }
+}
+
+TEST(ServerMessages, AreWhatThePageReads) {
+    const Ride ride(3, {"car", "flat", 0.8}, test::paper_car(), test::scenario(1));
+    const std::string car = car_message(ride);
+    EXPECT_THAT(car, HasSubstr(R"("type":"car")"));
+    EXPECT_THAT(car, HasSubstr(R"("car":3)"));
+    EXPECT_THAT(car, HasSubstr(R"("friction":0.8)"));
+    EXPECT_THAT(car, HasSubstr(R"("name":"chassis.position.x")"));
+    EXPECT_THAT(car, HasSubstr(R"("scene":{)"));
+    EXPECT_THAT(hello_message(2, garage()), HasSubstr(R"("vehicles":[{"id":"car",)"));
+    EXPECT_THAT(refusal_message("a \"b\" \xff"), HasSubstr(R"("message":"a \"b\" )"));
+    const std::string status = status_message({1, 2}, {.paused = Pause::ended, .ended = "why"}, {"f.nc", 1.5, 0}, 9);
+    for (const char* part :
+         {R"("driver":1)", R"("pages":2)", R"("paused":"ended")", R"("ended":"why")", R"("pace":)", R"("time":)",
+          R"("steps":)", R"("step_ms":)", R"("period_ms":)", R"("compute_us":)", R"("worst_overrun_ms":)",
+          R"("overruns":)", R"("recording":"f.nc")", R"("recorded_s":1.5)", R"("lost_rows":0)", R"("lost_frames":9)"}) {
+        EXPECT_THAT(status, HasSubstr(part));
+    }
+}
+
+template <class T>
+T number_at(const std::string& bytes, std::size_t at) {
+    T number;
+    std::memcpy(&number, bytes.data() + at, sizeof number);
+    return number;
+}
+
+TEST(ServerMessages, OfBytesHaveTheirHeaders) {
+    const std::string frame = frame_message(5, {.time = 1.25, .page = 2, .sequence = 77, .values = {0.5F, -3}});
+    ASSERT_EQ(frame.size(), 24u + 8u);
+    EXPECT_EQ(number_at<std::uint32_t>(frame, 0), 1u);
+    EXPECT_EQ(number_at<std::uint32_t>(frame, 4), 5u);
+    EXPECT_EQ(number_at<double>(frame, 8), 1.25);
+    EXPECT_EQ(number_at<std::uint32_t>(frame, 16), 77u);
+    EXPECT_EQ(number_at<std::uint32_t>(frame, 20), 2u);
+    EXPECT_EQ(number_at<float>(frame, 28), -3.0F);
+    const std::string tile = tile_message(5, {.ix = -1, .iy = 2, .heights = std::vector<float>(65 * 65, 0.5F)});
+    ASSERT_EQ(tile.size(), 16u + 4u * 65 * 65);
+    EXPECT_EQ(number_at<std::uint32_t>(tile, 0), 2u);
+    EXPECT_EQ(number_at<std::int32_t>(tile, 8), -1);
+    EXPECT_EQ(number_at<std::int32_t>(tile, 12), 2);
+}
+
+}  // namespace
+}  // namespace hamilcar::live

@@ -1,0 +1,243 @@
+// Connects wire, hands, picture and instruments.
+import { element } from "../dom";
+import type { CameraMode } from "../scene/camera";
+import type { Stage } from "../scene/stage";
+import { calibrate } from "./calibration";
+import { Controls } from "./controls";
+import { surface } from "./course";
+import { Dashboard } from "./dashboard";
+import type { LiveFrame } from "./frame";
+import { figure, Metronome } from "./gauge";
+import { offerHooks } from "./hooks";
+import { Identity } from "./identity";
+import { Latency } from "./latency";
+import { liveAddress } from "./link";
+import type { LinkState } from "./link";
+import { MachineLine } from "./machine";
+import { Menu } from "./menu";
+import type { Part } from "./menu";
+import { Notices } from "./notice";
+import { Picture } from "./picture";
+import type { CarMessage, ClientMessage, InputMessage, Status } from "./protocol";
+import { Session } from "./session";
+import { roleText, situation } from "./situation";
+import { Strip } from "./strip";
+import { Toolbar } from "./toolbar";
+import { WheelTable } from "./wheels";
+
+const patience = 8000; // with a lost connection [ms]
+
+export class App {
+  private readonly picture: Picture;
+  private readonly latency = new Latency();
+  private readonly metronome = new Metronome();
+  private readonly identity = new Identity(() => this.send({ type: "take" }));
+  private readonly dashboard = new Dashboard(() => this.controls.toggleReverse());
+  private readonly wheels = new WheelTable();
+  private readonly machine = new MachineLine();
+  private readonly strip = new Strip();
+  private readonly notices = new Notices();
+  private readonly toolbar: Toolbar;
+  private readonly menu: Menu;
+  private readonly controls: Controls;
+  private readonly session: Session;
+  private lostFor: ReturnType<typeof setTimeout> | undefined;
+  private given = false;
+  private drawnAt = performance.now();
+
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly view: HTMLElement,
+    stage: Stage | null,
+  ) {
+    this.picture = new Picture(stage);
+    this.toolbar = this.makeToolbar();
+    this.menu = this.makeMenu();
+    this.controls = this.makeControls();
+    this.session = this.makeSession();
+    this.assemble();
+    if (!stage) this.notices.say("This browser shows no 3D pictures (WebGL); the instruments work.");
+  }
+
+  run(): void {
+    this.showSituation();
+    offerHooks(this.session, this.picture, this.latency);
+    this.view.focus({ preventScroll: true });
+    requestAnimationFrame((now) => this.draw(now));
+  }
+
+  private assemble(): void {
+    const { identity, dashboard, wheels, machine, strip, notices, toolbar, menu, controls } = this;
+    const panels = [identity, toolbar, strip, dashboard, wheels, machine].map((panel) => panel.root);
+    this.host.append(element("div", { class: "instruments" }, ...panels), controls.touch.root, menu.root, notices.root);
+    // After a click driving goes on; who came by the tab key stays.
+    this.host.addEventListener("click", ({ target, detail }) => {
+      const button = detail > 0 && target instanceof Element ? target.closest("button") : null;
+      if (button && !button.closest("dialog")) this.backToView();
+    });
+    addEventListener("touchstart", () => this.host.classList.add("touched"), { once: true, passive: true });
+  }
+
+  private makeToolbar(): Toolbar {
+    return new Toolbar({
+      reset: () => this.reset(),
+      pause: (on) => this.send({ type: "pause", on }),
+      record: (on) => this.send({ type: "record", on }),
+      chooseCamera: (mode) => this.chooseCamera(mode),
+      toggleMenu: () => this.toggleMenu(),
+    });
+  }
+
+  private makeMenu(): Menu {
+    const roomy = matchMedia("(min-width: 900px)").matches;
+    return new Menu(
+      {
+        load: (course) => this.send({ type: "load", ...course }),
+        setPace: (factor) => this.send({ type: "pace", factor }),
+        show: (part, on) => this.showPart(part, on),
+        calibrate: () => calibrate(this.host, () => this.controls.forgetCalibrations()),
+        closed: () => {
+          this.toolbar.showMenu(false);
+          this.backToView();
+        },
+      },
+      roomy,
+    );
+  }
+
+  private makeControls(): Controls {
+    return new Controls({
+      send: (input) => this.sendInput(input),
+      pressed: (sequence, at) => this.pressed(sequence, at),
+      speed: () => this.speed(),
+      say: (message) => this.notices.say(message),
+      shifted: (reverse) => this.dashboard.showGear(reverse),
+      reset: () => this.reset(),
+      togglePause: () => this.send({ type: "pause", on: this.session.status?.paused !== "driver" }),
+      chooseCamera: (mode) => this.chooseCamera(mode),
+      toggleMenu: () => this.toggleMenu(),
+      closePanels: () => this.menu.close(),
+    });
+  }
+
+  private makeSession(): Session {
+    return new Session(liveAddress(location), {
+      linkChanged: (state) => this.linkChanged(state),
+      greeted: (hello) => this.menu.course.greet(hello),
+      carChanged: (car, frame) => this.carChanged(car, frame),
+      tileArrived: (tile) => this.picture.addTile(tile),
+      statusChanged: (status) => this.statusChanged(status),
+      refused: (message) => this.notices.say(message),
+    });
+  }
+
+  private linkChanged(state: LinkState): void {
+    clearTimeout(this.lostFor);
+    this.given = false;
+    if (state === "lost") {
+      this.lostFor = setTimeout(() => {
+        this.given = true;
+        this.showSituation();
+      }, patience);
+    }
+    this.latency.forget();
+    this.showSituation();
+  }
+
+  private carChanged(car: CarMessage, frame: LiveFrame): void {
+    this.picture.setCar(car, frame);
+    this.dashboard.setCar(car, frame);
+    this.wheels.setCar(car.scene, frame);
+    this.strip.setCar(frame);
+    this.menu.course.show(car);
+    this.controls.forward();
+    this.latency.forget();
+    const road = `${car.scene.road.name}, ${surface(car.friction)} (${figure(car.friction, 2)})`;
+    this.identity.showCar(car.scene.vehicle, road);
+  }
+
+  private statusChanged(status: Status): void {
+    if (status.paused !== "") this.latency.forget();
+    this.machine.showStatus(status);
+    this.toolbar.showStatus(status);
+    this.menu.showPace(status.pace);
+    this.showSituation();
+  }
+
+  private showSituation(): void {
+    const { linkState, status, role } = this.session;
+    const { title, text, dims } = situation(linkState, this.given, status, role);
+    this.notices.show(title, text, dims);
+    this.identity.showRole(roleText(status, role), status !== null && role === "nobody");
+  }
+
+  private showPart(part: Part, on: boolean): void {
+    if (part === "curves") this.strip.shown = on;
+    else if (part === "wheels") this.wheels.root.hidden = !on;
+    else if (part === "machine") this.machine.root.hidden = !on;
+    else this.picture.show(part, on);
+  }
+
+  private send(message: ClientMessage): void {
+    this.session.send(message);
+  }
+
+  private sendInput(input: InputMessage): void {
+    if (this.session.role !== "watcher") this.send(input);
+  }
+
+  // Who steers a car that nobody drives wants to drive it.
+  private pressed(sequence: number, at: number): void {
+    if (this.session.status?.driver === 0) this.send({ type: "take" });
+    else if (this.session.role === "driver" && this.session.running) this.latency.pressed(sequence, at);
+  }
+
+  private reset(): void {
+    this.controls.forward();
+    this.send({ type: "reset" });
+  }
+
+  private chooseCamera(mode: CameraMode): void {
+    this.picture.camera = mode;
+    this.toolbar.showCamera(mode);
+    this.backToView();
+  }
+
+  private toggleMenu(): void {
+    if (this.menu.open) return this.menu.close();
+    this.menu.open = true;
+    this.toolbar.showMenu(true);
+  }
+
+  private backToView(): void {
+    this.view.focus({ preventScroll: true });
+  }
+
+  private draw(now: number): void {
+    requestAnimationFrame((next) => this.draw(next));
+    this.controls.poll();
+    const fresh = this.session.takeFrame();
+    const frame = this.session.frame;
+    if (fresh && frame) this.picture.move(frame);
+    this.picture.draw((now - this.drawnAt) / 1000, fresh);
+    this.drawnAt = now;
+    if (!fresh || !frame) return;
+    if (frame.page === this.session.hello?.page) this.latency.drawn(frame.sequence, performance.now());
+    document.documentElement.dataset["ready"] = "true";
+    this.showFrame(frame, now);
+  }
+
+  private showFrame(frame: LiveFrame, now: number): void {
+    const texts = this.metronome.ticks(now);
+    this.strip.add(frame.time);
+    this.dashboard.show(texts);
+    this.wheels.show(texts);
+    if (!texts) return;
+    this.strip.draw();
+    this.machine.showLatency(this.latency);
+  }
+
+  private speed(): number {
+    return this.session.frame?.value("chassis.longitudinal_velocity") ?? NaN;
+  }
+}

@@ -1,0 +1,95 @@
+// The wire to the program: typed messages, the newest frame, and a new connection after a loss.
+import { frameKind, tileKind } from "./protocol";
+import type { ClientMessage, ServerMessage } from "./protocol";
+
+// refused: the program answers, but not on this page's token; it was started anew and has printed another address.
+export type LinkState = "connecting" | "open" | "lost" | "refused";
+
+export interface LinkListener {
+  stateChanged(state: LinkState): void;
+  received(message: ServerMessage): void;
+  tileReceived(bytes: ArrayBuffer): void;
+}
+
+const firstDelay = 250; // [ms]
+const lastDelay = 2000;
+
+export function liveAddress(page: Location): string {
+  const address = new URL("/live", page.href);
+  address.protocol = page.protocol === "https:" ? "wss:" : "ws:";
+  address.searchParams.set("token", new URLSearchParams(page.search).get("token") ?? "");
+  return address.href;
+}
+
+export class Link {
+  state: LinkState = "connecting";
+  private socket: WebSocket | null = null;
+  private newest: ArrayBuffer | null = null;
+  private delay = firstDelay;
+
+  constructor(
+    private readonly address: string,
+    private readonly listener: LinkListener,
+  ) {
+    this.connect();
+  }
+
+  send(message: ClientMessage): void {
+    if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(message));
+  }
+
+  // The newest frame since the last call; those between were never looked at.
+  takeFrame(): ArrayBuffer | null {
+    const frame = this.newest;
+    this.newest = null;
+    return frame;
+  }
+
+  private connect(): void {
+    const socket = new WebSocket(this.address);
+    socket.binaryType = "arraybuffer";
+    let opened = false;
+    socket.onopen = () => {
+      opened = true;
+      this.delay = firstDelay;
+      this.enter("open");
+    };
+    socket.onmessage = ({ data }) => this.receive(data as string | ArrayBuffer);
+    socket.onclose = () => {
+      this.newest = null;
+      if (opened) this.enter("lost");
+      else void this.askWhy();
+      setTimeout(() => this.connect(), this.delay);
+      this.delay = Math.min(2 * this.delay, lastDelay);
+    };
+    this.socket = socket;
+  }
+
+  // A browser does not tell why a handshake failed; whether the page itself can still be had does.
+  private async askWhy(): Promise<void> {
+    const answers = await fetch(location.href, { cache: "no-store", method: "HEAD" }).then(
+      () => true,
+      () => false,
+    );
+    if (this.state !== "open") this.enter(answers ? "refused" : "lost");
+  }
+
+  private enter(state: LinkState): void {
+    if (state === this.state) return;
+    this.state = state;
+    this.listener.stateChanged(state);
+  }
+
+  private receive(data: string | ArrayBuffer): void {
+    if (typeof data === "string") {
+      // What was sent before a new car is of the old one.
+      const message = JSON.parse(data) as ServerMessage;
+      if (message.type === "car") this.newest = null;
+      this.listener.received(message);
+      return;
+    }
+    const kind = new DataView(data).getUint32(0, true);
+    if (kind === frameKind) this.newest = data;
+    else if (kind === tileKind) this.listener.tileReceived(data);
+  }
+}

@@ -1,0 +1,63 @@
+// The car that the wire tells of, in the 3D view. Without WebGL there is none, and the instruments still work.
+import type { RoadTile } from "../document";
+import type { CameraMode } from "../scene/camera";
+import { Car } from "../scene/car";
+import type { CarPart } from "../scene/car";
+import type { Stage } from "../scene/stage";
+import type { LiveFrame } from "./frame";
+import type { CarMessage } from "./protocol";
+
+const longestStep = 0.2; // of the wheels' turning, where the picture hangs [s]
+
+export class Picture {
+  framesDrawn = 0;
+  private car: Car | null = null;
+  private carTime = NaN; // [s]
+  private readonly hidden = new Set<CarPart>();
+
+  constructor(private readonly stage: Stage | null) {}
+
+  setCar({ scene }: CarMessage, frame: LiveFrame): void {
+    const stage = this.stage;
+    if (!stage) return;
+    if (this.car) {
+      stage.remove(this.car);
+      this.car.dispose();
+    }
+    stage.clearTiles();
+    stage.setRoad(scene.road);
+    this.car = new Car(scene, frame.names);
+    for (const part of this.hidden) this.car.show(part, false);
+    this.carTime = NaN;
+  }
+
+  addTile(tile: RoadTile): void {
+    this.stage?.addTile(tile);
+  }
+
+  show(part: CarPart, on: boolean): void {
+    if (on) this.hidden.delete(part);
+    else this.hidden.add(part);
+    this.car?.show(part, on);
+  }
+
+  set camera(mode: CameraMode) {
+    if (this.stage) this.stage.camera.mode = mode;
+  }
+
+  // A car enters the picture with its first frame: before that nobody knows where it stands.
+  move(frame: LiveFrame): void {
+    const stage = this.stage;
+    if (!this.car || !stage) return;
+    const first = Number.isNaN(this.carTime);
+    const seconds = first ? 0 : Math.min(Math.max(frame.time - this.carTime, 0), longestStep);
+    this.carTime = frame.time;
+    this.car.update(frame.row, seconds);
+    if (first) stage.add(this.car);
+  }
+
+  draw(seconds: number, fresh: boolean): void {
+    this.stage?.render(seconds);
+    if (fresh) this.framesDrawn += 1;
+  }
+}

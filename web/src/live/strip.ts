@@ -1,0 +1,75 @@
+// The last ten seconds as curves.
+import { element } from "../dom";
+import { createTimePlot } from "../report/plot";
+import type { TimePlot } from "../report/plot";
+import type { LiveFrame } from "./frame";
+
+const span = 10; // [s]
+const room = 4096; // rows; far more than a screen draws in that time
+
+const curves = [
+  { channel: "chassis.longitudinal_velocity", factor: 3.6, name: "speed", unit: "km/h" },
+  { channel: "chassis.lateral_acceleration", factor: 1, name: "lateral acceleration", unit: "m/s²" },
+  { channel: "chassis.rate.yaw", factor: 1, name: "yaw rate", unit: "°/s" },
+] as const;
+
+export class Strip {
+  readonly root = element("section", { class: "panel strip", "aria-label": "The last ten seconds", hidden: true });
+  private plots: readonly TimePlot[] = [];
+  private readonly time = new Float64Array(room);
+  private readonly columns = curves.map(() => new Float64Array(room));
+  private readers: readonly (() => number)[] = [];
+  private count = 0;
+
+  setCar(frame: LiveFrame): void {
+    this.readers = curves.map(({ channel }) => frame.reader(channel));
+    this.count = 0;
+  }
+
+  // Plots exist only while they are seen.
+  set shown(on: boolean) {
+    this.root.hidden = !on;
+    for (const plot of this.plots) plot.destroy();
+    this.root.replaceChildren();
+    this.plots = on ? curves.map((curve, i) => this.plot(curve, i)) : [];
+    this.draw();
+  }
+
+  add(time: number): void {
+    const last = this.time[this.count - 1] ?? -Infinity;
+    if (time < last) this.count = 0;
+    if (time === last && this.count > 0) return;
+    if (this.count === room) this.dropOldHalf();
+    this.time[this.count] = time;
+    this.columns.forEach((column, i) => (column[this.count] = (this.readers[i]?.() ?? NaN) * (curves[i]?.factor ?? 1)));
+    this.count += 1;
+  }
+
+  draw(): void {
+    if (this.plots.length === 0 || this.count === 0) return;
+    const now = this.time[this.count - 1] ?? 0;
+    let first = this.count - 1;
+    while (first > 0 && (this.time[first] ?? 0) > now - span) first -= 1;
+    const time = this.time.subarray(first, this.count);
+    this.plots.forEach((plot, i) => {
+      const column = this.columns[i];
+      if (column) plot.setData(time, [column.subarray(first, this.count)]);
+      plot.setTimeRange([Math.max(now - span, 0), Math.max(now, span)]);
+    });
+  }
+
+  private plot({ name, unit }: (typeof curves)[number], i: number): TimePlot {
+    return createTimePlot(this.root, {
+      label: `${name} over the last ten seconds`,
+      y: `${name} [${unit}]`,
+      series: [{ label: "", color: 0 }],
+      height: 84,
+      timeAxis: i === curves.length - 1,
+    });
+  }
+
+  private dropOldHalf(): void {
+    for (const column of [this.time, ...this.columns]) column.copyWithin(0, room / 2);
+    this.count = room / 2;
+  }
+}

@@ -1,0 +1,58 @@
+// Names of the curves with their dashes, and their values where the cursor stands. A name may switch its curve off.
+import { drawing, element } from "../dom";
+import { seriesCount, seriesDash } from "../theme";
+
+export interface LegendEntry {
+  readonly label: string;
+  readonly color: number; // index of seriesColor() and seriesDash()
+}
+
+export interface Legend {
+  readonly root: HTMLElement;
+  setValues(values: readonly string[]): void; // []: none
+}
+
+const sampleOf = (index: number): SVGElement =>
+  drawing(
+    "svg",
+    { class: "sample", viewBox: "0 0 28 6", width: 28, height: 6, "aria-hidden": "true" },
+    drawing("line", {
+      x1: 0,
+      y1: 3,
+      x2: 28,
+      y2: 3,
+      stroke: `var(--series-${(index % seriesCount) + 1})`,
+      "stroke-width": 2,
+      "stroke-dasharray": seriesDash(index).join(" ") || null,
+    }),
+  );
+
+export function createLegend(
+  entries: readonly LegendEntry[],
+  onToggle?: (index: number, shown: boolean) => void,
+): Legend {
+  const values = entries.map(() => element("span", { class: "value", "aria-hidden": "true" }));
+  const items = entries.map(({ label, color }, i) => {
+    const content = [sampleOf(color), element("span", { class: "name" }, label), values[i] ?? null];
+    if (!onToggle) return element("li", {}, ...content);
+    const button: HTMLButtonElement = element(
+      "button",
+      {
+        type: "button",
+        "aria-pressed": "true",
+        title: `Show or hide ${label}`,
+        onclick: () => {
+          const shown = button.getAttribute("aria-pressed") !== "true";
+          button.setAttribute("aria-pressed", String(shown));
+          onToggle(i, shown);
+        },
+      },
+      ...content,
+    );
+    return element("li", {}, button);
+  });
+  return {
+    root: element("ul", { class: "legend" }, ...items),
+    setValues: (texts) => values.forEach((value, i) => (value.textContent = texts[i] ?? "")),
+  };
+}

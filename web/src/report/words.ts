@@ -1,0 +1,34 @@
+// A chart in words, for those who do not see it.
+import type { Axis, ChartBlock } from "../document";
+import { visible, type Limits, type Samples, type View } from "./curves";
+import { reading } from "./numbers";
+
+const partsOf = ({ label }: Axis): readonly [string, string] => {
+  const [, name = label, unit = ""] = /^(.*?)\s*\[(.*)\]$/.exec(label) ?? [];
+  return [name, unit === "1" ? "" : unit];
+};
+
+export function valueText(axis: Axis, value: number, [low, high]: Limits): string {
+  const [, unit] = partsOf(axis);
+  return `${reading(value, axis.logarithmic ? 0 : high - low)}${unit === "" ? "" : ` ${unit}`}`;
+}
+
+const rangeText = (axis: Axis, limits: Limits): string =>
+  `${partsOf(axis)[0]} from ${valueText(axis, limits[0], limits)} to ${valueText(axis, limits[1], limits)}`;
+
+export function chartText(block: ChartBlock, curves: readonly Samples[], view: View): string {
+  const names = curves.map(({ label }) => label).filter((label) => label !== "");
+  const count = curves.length === 1 ? "1 curve" : `${curves.length} curves`;
+  const named = names.length > 0 ? `${count}: ${names.join(", ")}` : count;
+  return [
+    `${block.title}. ${partsOf(block.y)[0]} over ${partsOf(block.x)[0]}, ${named}`,
+    `Shown: ${rangeText(block.x, view.x)}, ${rangeText(block.y, view.y)}`,
+    "Arrow keys read the curves.",
+  ].join(". ");
+}
+
+export function sampleText(block: ChartBlock, curve: Samples, i: number, view: View): string {
+  const name = curve.label === "" ? "" : `${curve.label}: `;
+  const y = visible(curve, i) ? valueText(block.y, curve.y[i] ?? NaN, view.y) : "nothing";
+  return `${name}${valueText(block.x, curve.x[i] ?? NaN, view.x)}, ${y}`;
+}

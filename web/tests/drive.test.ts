@@ -1,0 +1,166 @@
+// The driving simulator: the car goes where the keys say, in time; strangers stay outside; a lost link comes back.
+import assert from "node:assert/strict";
+import { existsSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import type { Browser, Page } from "playwright-core";
+import WebSocket from "ws";
+import { openBrowser, openPage } from "./browser";
+import { hamilcar, repository, startDrive, temporaryFolder, type Drive } from "./program";
+
+interface Hooks {
+  latencies(): number[];
+  speed(): number;
+  time(): number;
+  role(): string;
+  state(): string;
+  row(name: string): number;
+  framesDrawn(): number;
+}
+declare const window: { hamilcar: Hooks };
+
+const folder = temporaryFolder();
+let browser: Browser;
+let drive: Drive;
+
+before(async () => {
+  browser = await openBrowser();
+  drive = await startDrive(folder.path, join(repository, "vehicles/bmw_323i.toml"));
+});
+after(async () => {
+  await browser.close();
+  await drive.stop();
+  folder.remove();
+});
+
+const until = (page: Page, condition: () => boolean) => page.waitForFunction(condition, undefined, { timeout: 60000 });
+
+// How a WebSocket to a server ends: opened, or refused with an HTTP status.
+function knock(url: URL, token: string, origin: string, host?: string): Promise<number> {
+  const address = `ws://${url.host}/live?token=${token}`;
+  const socket = new WebSocket(address, { origin, headers: host === undefined ? {} : { Host: host } });
+  return new Promise((done, failed) => {
+    socket.once("open", () => (socket.close(), done(101)));
+    socket.once("unexpected-response", (_, response) => (socket.terminate(), done(response.statusCode ?? 0)));
+    socket.once("error", failed);
+  });
+}
+
+const token = (url: URL): string => url.searchParams.get("token") ?? "";
+
+test("a page drives, turns, stops and starts again; a second one watches", async () => {
+  const { page, complaints } = await openPage(browser, drive.url.href);
+  await until(page, () => window.hamilcar.role() === "driver");
+  await page.keyboard.down("ArrowUp");
+  await until(page, () => window.hamilcar.speed() > 5);
+  await page.keyboard.down("ArrowLeft");
+  await until(page, () => window.hamilcar.row("chassis.angle.yaw") > 10);
+  await page.keyboard.up("ArrowLeft");
+  await page.keyboard.up("ArrowUp");
+
+  const second = await openPage(await browser.newContext(), drive.url.href);
+  await until(second.page, () => window.hamilcar.role() === "watcher");
+  await second.page.keyboard.down("ArrowUp"); // nobody hears a watcher
+  await page.keyboard.down("ArrowDown");
+  await until(page, () => Math.abs(window.hamilcar.speed()) < 0.05);
+  await until(second.page, () => Math.abs(window.hamilcar.speed()) < 0.1);
+  await page.keyboard.up("ArrowDown");
+  const latencies = await page.evaluate(() => window.hamilcar.latencies());
+  assert.ok(latencies.length > 0, "input to picture is measured");
+  await page.keyboard.press("Enter");
+  await until(page, () => Math.abs(window.hamilcar.row("chassis.angle.yaw")) < 1);
+
+  await page.close(); // the driver leaves, the car stands still until somebody takes the wheel
+  await until(second.page, () => window.hamilcar.role() === "nobody");
+  const stood = await second.page.evaluate(() => window.hamilcar.time());
+  await second.page.waitForTimeout(300);
+  assert.equal(await second.page.evaluate(() => window.hamilcar.time()), stood);
+  await second.page.getByRole("button", { name: /take the wheel/i }).click();
+  await until(second.page, () => window.hamilcar.role() === "driver");
+  await second.page.close();
+  assert.deepEqual([...complaints(), ...second.complaints()], []);
+});
+
+test("a recording is a result that view opens", async () => {
+  const { page, complaints } = await openPage(browser, drive.url.href);
+  await until(page, () => window.hamilcar.role() === "driver");
+  await page.getByRole("button", { name: /record/i }).click();
+  await page.keyboard.down("ArrowUp");
+  await until(page, () => window.hamilcar.speed() > 3);
+  await page.keyboard.up("ArrowUp");
+  const file = await page.waitForFunction(
+    () => /[\w./-]+\.nc/.exec(document.body.innerText)?.[0] ?? false,
+    undefined,
+    { timeout: 20000 },
+  );
+  const path = String(await file.jsonValue());
+  await page.getByRole("button", { name: /record/i }).click();
+  await page.waitForTimeout(1500);
+  await page.close();
+  assert.ok(existsSync(join(folder.path, path)), path);
+  hamilcar(folder.path, "view", path, "-o", "drive.html");
+  const replay = await openPage(browser, `file://${join(folder.path, "drive.html")}`);
+  assert.ok((await replay.page.locator("canvas").count()) > 0);
+  assert.deepEqual([...complaints(), ...replay.complaints()], []);
+});
+
+test("strangers stay outside", async () => {
+  const own = `http://${drive.url.host}`;
+  const status = async (path: string, headers: Record<string, string> = {}) =>
+    (await fetch(new URL(path, drive.url), { headers })).status;
+  assert.equal(await status(drive.url.href), 200);
+  assert.equal(await status("/"), 403);
+  assert.equal(await status("/?token=0123456789abcdef0123456789abcdef"), 403);
+  assert.equal(await status(`/elsewhere?token=${token(drive.url)}`), 404);
+  assert.equal(await knock(drive.url, token(drive.url), own), 101);
+  assert.equal(await knock(drive.url, token(drive.url), "http://evil.example"), 403);
+  assert.equal(await knock(drive.url, token(drive.url), `${own}.evil.example`), 403);
+  assert.equal(await knock(drive.url, "0".repeat(32), own), 403);
+  assert.equal(await knock(drive.url, token(drive.url), own, "evil.example"), 403);
+});
+
+test("nonsense and too much of it disturb nobody", async () => {
+  const { page, complaints } = await openPage(browser, drive.url.href);
+  await until(page, () => window.hamilcar.role() === "driver");
+  const rude = (messages: readonly (string | Buffer)[]) =>
+    new Promise<number>((done) => {
+      const address = `ws://${drive.url.host}/live?token=${token(drive.url)}`;
+      const socket = new WebSocket(address, { origin: `http://${drive.url.host}` });
+      socket.on("error", () => undefined);
+      socket.once("open", () => messages.forEach((message) => socket.send(message)));
+      socket.once("close", done);
+    });
+  assert.equal(await rude(["x".repeat(100000)]), 1009);
+  const nonsense = ["{", "[]", "null", '{"type":"input"}', '{"type":"pace","factor":1e9}', '{"type":"?"}', "\u0000"];
+  assert.equal(await rude(Array.from({ length: 30 }, (_, i) => nonsense[i % nonsense.length] ?? "")), 1008);
+  assert.ok([1003, 1007, 1008].includes(await rude(Array.from({ length: 30 }, () => Buffer.from([0, 255, 1])))));
+  const before = await page.evaluate(() => window.hamilcar.time());
+  await until(page, () => window.hamilcar.state() === "open");
+  await page.waitForFunction((time) => window.hamilcar.time() > time, before, { timeout: 20000 });
+  await page.close();
+  assert.deepEqual(complaints(), []);
+});
+
+test("a lost link is told and comes back", async () => {
+  const other = await startDrive(folder.path, join(repository, "vehicles/formula.toml"));
+  const page = await (await browser.newContext()).newPage();
+  await page.routeWebSocket(/live/, (route) => {
+    const server = route.connectToServer();
+    page.once("dialog", () => undefined);
+    (globalThis as { cut?: () => void }).cut = () => (server.close(), route.close());
+  });
+  await page.goto(other.url.href);
+  await page.waitForSelector("html[data-ready=true]", { state: "attached", timeout: 60000 });
+  (globalThis as { cut?: () => void }).cut?.();
+  await until(page, () => window.hamilcar.state() !== "open");
+  await until(page, () => window.hamilcar.state() === "open" && window.hamilcar.role() === "driver");
+  assert.equal(await other.stop(), 0);
+  await page.getByText(/has ended|connection lost/i).first().waitFor({ timeout: 30000 });
+});
+
+test("what cannot be driven is told before a server is there", () => {
+  assert.throws(
+    () => hamilcar(folder.path, "drive", "--no-browser", "nowhere.toml"),
+    (error: { status?: number; stderr?: string }) => error.status === 3 || error.status === 5,
+  );
+});
