@@ -9,6 +9,7 @@ namespace hamilcar::live {
 namespace {
 
 constexpr double sight = 48;      // how far around the car tiles are sent [m]
+constexpr double memory = 96;     // beyond which a page may have dropped its own, and gets them anew [m]
 constexpr int tiles_at_once = 4;  // that are made for one page
 
 Message message(std::string text) {
@@ -122,6 +123,9 @@ void Lobby::hand_out_tiles() {
     Ride& ride = session_.ride();
     if (!ride.uneven()) return;
     const Frame& frame = ride.frames().value();
+    for (auto& [number, guest] : guests_) {
+        std::erase_if(guest.tiles, [&](TilePlace place) { return tile_distance(frame.x, frame.y, place) > memory; });
+    }
     const std::vector<TilePlace> places = tiles_near(frame.x, frame.y, sight);
     int made = 0;
     for (const TilePlace& place : places) {

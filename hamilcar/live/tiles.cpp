@@ -11,22 +11,22 @@ namespace {
 
 constexpr std::size_t most_kept = 512;  // 8 MB
 
-double distance(double x, double y, TilePlace place) {
+}  // namespace
+
+double tile_distance(double x, double y, TilePlace place) {
     const double dx = x - tile_size * place.first, dy = y - tile_size * place.second;
     return std::hypot(dx - std::clamp(dx, 0.0, tile_size), dy - std::clamp(dy, 0.0, tile_size));
 }
-
-}  // namespace
 
 std::vector<TilePlace> tiles_near(double x, double y, double reach) {
     std::vector<TilePlace> places;
     for (int ix = tile_at(x - reach); ix <= tile_at(x + reach); ++ix) {
         for (int iy = tile_at(y - reach); iy <= tile_at(y + reach); ++iy) {
-            if (distance(x, y, {ix, iy}) <= reach) places.emplace_back(ix, iy);
+            if (tile_distance(x, y, {ix, iy}) <= reach) places.emplace_back(ix, iy);
         }
     }
     std::sort(places.begin(), places.end(),
-              [&](TilePlace a, TilePlace b) { return distance(x, y, a) < distance(x, y, b); });
+              [&](TilePlace a, TilePlace b) { return tile_distance(x, y, a) < tile_distance(x, y, b); });
     return places;
 }
 

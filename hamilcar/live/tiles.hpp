@@ -17,6 +17,9 @@ using TilePlace = std::pair<int, int>;               // ix, iy
 // Tiles that are not farther than `reach` from a point, the nearest first.
 std::vector<TilePlace> tiles_near(double x, double y, double reach);
 
+// From a point to the nearest of a tile [m].
+double tile_distance(double x, double y, TilePlace place);
+
 class Tiles {
 public:
     // One that was made before, or null.

@@ -7,12 +7,14 @@ import type { Stage } from "../scene/stage";
 import type { LiveFrame } from "./frame";
 import type { CarMessage } from "./protocol";
 
+const tileReach = 160; // beyond it tiles are dropped; the program sends them again when they matter [m]
 const longestStep = 0.2; // of the wheels' turning, where the picture hangs [s]
 
 export class Picture {
   framesDrawn = 0;
   private car: Car | null = null;
   private carTime = NaN; // [s]
+  private place = { x: (): number => NaN, y: (): number => NaN }; // of the car on the ground [m]
   private readonly hidden = new Set<CarPart>();
 
   constructor(private readonly stage: Stage | null) {}
@@ -29,10 +31,13 @@ export class Picture {
     this.car = new Car(scene, frame.names);
     for (const part of this.hidden) this.car.show(part, false);
     this.carTime = NaN;
+    this.place = { x: frame.reader("chassis.pose.x"), y: frame.reader("chassis.pose.y") };
   }
 
   addTile(tile: RoadTile): void {
     this.stage?.addTile(tile);
+    const [x, y] = [this.place.x(), this.place.y()];
+    if (Number.isFinite(x) && Number.isFinite(y)) this.stage?.keepTilesNear(x, y, tileReach);
   }
 
   show(part: CarPart, on: boolean): void {

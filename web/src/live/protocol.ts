@@ -4,7 +4,8 @@
 // Text is one JSON object a message, with its type. Binary messages come from the server alone, little-endian:
 //   frame  u32 1, u32 car, f64 time [s], u32 sequence of the last input it has felt, u32 of the page that sent that input,
 //          then one f32 for each channel of the car
-//   tile   u32 2, u32 car, i32 ix, i32 iy, then 65 * 65 f32 heights (document.ts)
+//   tile   u32 2, u32 car, i32 ix, i32 iy, then 65 * 65 f32 heights (document.ts). Tiles come as the car comes near;
+//          what is farther than 96 m from it is forgotten and would come again
 import type { Channel, Scene } from "../document";
 
 export const frameKind = 1;

@@ -65,6 +65,16 @@ export class Road {
     if (this.cones.length > 0) this.standCones();
   }
 
+  // Drops tiles farther than `reach` along either axis.
+  keepTilesNear(x: number, y: number, reach: number): void {
+    for (const [key, tile] of this.tiles) {
+      const { position } = tile.mesh;
+      if (Math.max(Math.abs(position.x - x), Math.abs(position.y - y)) < reach) continue;
+      this.drop(tile);
+      this.tiles.delete(key);
+    }
+  }
+
   clearTiles(): void {
     for (const tile of this.tiles.values()) this.drop(tile);
     this.tiles.clear();

@@ -4,8 +4,8 @@ import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 
 const alongZ = (shape: THREE.BufferGeometry): THREE.BufferGeometry => shape.rotateX(Math.PI / 2).translate(0, 0, 0.5);
 
-export const rod = alongZ(new THREE.CylinderGeometry(1, 1, 1, 24));
-export const ball = new THREE.SphereGeometry(1, 18, 12);
+export const rod = alongZ(new THREE.CylinderGeometry(1, 1, 1, 16));
+export const ball = new THREE.SphereGeometry(1, 12, 8);
 export const arrowHead = alongZ(new THREE.ConeGeometry(1, 1, 20));
 
 // A coil's wire keeps its thickness whatever its length: attribute `along` tells where the wire's middle is on the

@@ -8,7 +8,7 @@ import { CameraRig, type Shot } from "./camera";
 import type { Car } from "./car";
 import { listenToGestures } from "./gestures";
 import { Road } from "./road";
-import { Sharpness } from "./sharpness";
+import { Sharpness, drawsInSoftware, paused } from "./sharpness";
 import { Sky } from "./sky";
 import "./stage.css";
 
@@ -19,7 +19,7 @@ export function openStage(host: HTMLElement): Stage | null {
   const canvas = element("canvas", {
     class: "stage", tabindex: 0, role: "img", "aria-label": "Three-dimensional view of the vehicle; drag to turn",
   });
-  const context = canvas.getContext("webgl2", { antialias: true, powerPreference: "high-performance" });
+  const context = canvas.getContext("webgl2", { antialias: !drawsInSoftware(), powerPreference: "high-performance" });
   if (context !== null) return new Stage(host, canvas, context);
   host.append(
     element("p", { class: "stage-missing", role: "status" },
@@ -38,6 +38,7 @@ export class Stage {
   private readonly road = new Road(proving);
   private readonly cars: Car[] = [];
   private readonly sharpness = new Sharpness();
+  private settling: ReturnType<typeof setTimeout> | undefined;
   private apart = false; // each car in its own picture
   private readonly closing: (() => void)[] = [];
 
@@ -103,6 +104,11 @@ export class Stage {
     this.onChange();
   }
 
+  // Drops tiles farther than `reach` along either axis [m].
+  keepTilesNear(x: number, y: number, reach: number): void {
+    this.road.keepTilesNear(x, y, reach);
+  }
+
   clearTiles(): void {
     this.road.clearTiles();
     this.onChange();
@@ -111,6 +117,8 @@ export class Stage {
   // seconds: of real time since the last call
   render(seconds: number): void {
     if (this.sharpness.observe(seconds)) this.resize();
+    clearTimeout(this.settling);
+    this.settling = setTimeout(() => this.sharpness.rest() && this.resize(), 2000 * paused);
     this.camera.place(seconds);
     const { shots } = this.camera;
     const width = this.canvas.clientWidth / Math.max(shots.length, 1);
@@ -119,6 +127,7 @@ export class Stage {
 
   dispose(): void {
     for (const close of this.closing) close();
+    clearTimeout(this.settling);
     this.onChange = () => {};
     this.road.dispose();
     this.sky.dispose();
