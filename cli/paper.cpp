@@ -230,6 +230,7 @@ io::ExitCode paper(const Options& options) {
     facts["table_2"] = write_table_2(folder, simulation, page);
     facts["table_3"] = write_table_3(folder, scenario.solver.step, page);
     const RunSummary summary = write_motion_figures(folder, simulation, all_channels(vehicle), page);
+    io::write_page(folder + "/paper.html", page);  // whatever becomes of Figure 9
     facts["run"] = summary_json(simulation, summary, {});
     if (summary.interrupted) {
         fmt::print(stderr, "hamilcar: interrupted; Figures 11 to 14 end at t = {:.3f} s, Figure 9 is missing\n",

@@ -47,6 +47,7 @@ public:
         for (const Channel& channel : recorded.channels) columns.push_back(channel.column);
         if (scenario.output.netcdf) {
             paths_.push_back(folder + "/results.nc");
+            std::filesystem::remove(io::tiles_beside(paths_.back()));  // of the run that was here before
             std::vector<std::pair<std::string, std::string>> attributes;
             if (!recorded.scene.empty()) attributes.emplace_back(io::scene_attribute, recorded.scene);
             netcdf_ = io::open_netcdf(paths_.back(), columns, scenario.name, attributes);
@@ -70,12 +71,12 @@ public:
         if (netcdf_) netcdf_->close();
         if (csv_) csv_->close();
     }
-    // Beside the netCDF file, whose picture needs them.
-    void write_road(const std::vector<RoadTile>& tiles) {
-        if (!netcdf_ || tiles.empty()) return;
-        const std::string result = paths_.front();
-        paths_.push_back(io::tiles_beside(result));
-        io::write_tiles(paths_.back(), tiles);
+    // Tiles stand beside the netCDF file, whose picture needs them.
+    void announce_road() {
+        if (netcdf_) add(io::tiles_beside(paths_.front()));
+    }
+    void write_road(const std::vector<RoadTile>& tiles) const {
+        if (netcdf_ && !tiles.empty()) io::write_tiles(io::tiles_beside(paths_.front()), tiles);
     }
     void add(const std::string& path) { paths_.push_back(path); }
     const std::vector<std::string>& paths() const { return paths_; }
@@ -99,6 +100,31 @@ struct PathOnGround {
     std::vector<double> x, y;
     void add(const Sample& sample) { x.push_back(sample.state.position()[0]), y.push_back(sample.state.position()[1]); }
 };
+
+io::ExitCode tell(const Options& options, const RunSummary& summary, const nlohmann::json& facts) {
+    if (options.json) {
+        fmt::print("{}\n", facts.dump(2));
+    } else {
+        print_summary(facts);
+    }
+    if (summary.worst_energy_drift > doubtful_share * summary.largest_kinetic_energy &&
+        summary.worst_energy_drift > 1) {
+        fmt::print(
+            stderr,
+            "hamilcar: warning: the energy balance is off by {:.3g} J of {:.3g} J; the step of {:g} s is too large "
+            "for this run, its results are doubtful\n",
+            summary.worst_energy_drift, summary.largest_kinetic_energy, facts["step_s"].get<double>());
+    }
+    if (summary.interrupted) {
+        fmt::print(stderr, "hamilcar: interrupted at t = {:.3f} s; the results so far are kept\n", summary.duration);
+        return io::ExitCode::interrupted;
+    }
+    if (summary.ended_early) {
+        fmt::print(stderr, "hamilcar: {}: {}\n", options.file, *summary.ended_early);
+        return io::ExitCode::numerical;
+    }
+    return io::ExitCode::ok;
+}
 
 }  // namespace
 
@@ -126,45 +152,28 @@ io::ExitCode run(const Options& options) {
         [&](double share) { return progress.show(share), !interrupted(); });
     progress.clear();
     files.close();
-    const std::vector<RoadTile> tiles =
-        tiles_along(simulation.model().road, simulation.surface().get(), path.x, path.y);
-    files.write_road(tiles);
-
     for (const std::string& file : tire_files(simulation.vehicle())) {
         const std::size_t notes = io::read_tir(file).notes.size();
         if (notes > 0) fmt::print(stderr, "hamilcar: {}: {} remarks; 'hamilcar tire' lists them\n", file, notes);
     }
+    const bool uneven = scenario.output.motion && scenario.road.is_uneven();
     const std::string report = folder + "/report.html";
+    if (uneven) files.announce_road();
     if (scenario.output.report) files.add(report);
     const nlohmann::json facts = summary_json(simulation, summary, files.paths());
-    if (scenario.output.report) {
-        io::PageRun run = film.take();
-        run.tiles = tiles;
-        write_report(report, std::move(run), simulation, facts);
-    }
     write_file(folder + "/summary.json", facts.dump(2) + "\n");
-    if (options.json) {
-        fmt::print("{}\n", facts.dump(2));
-    } else {
-        print_summary(facts);
+    const io::ExitCode outcome = tell(options, summary, facts);
+
+    // Pictures last: if the disk takes no more of them, all that matters has been said and written.
+    const std::vector<RoadTile> tiles =
+        tiles_along(simulation.model().road, uneven ? simulation.surface().get() : nullptr, path.x, path.y);
+    files.write_road(tiles);
+    if (scenario.output.report) {
+        io::PageRun film_of_run = film.take();
+        film_of_run.tiles = tiles;
+        write_report(report, std::move(film_of_run), simulation, facts);
     }
-    if (summary.worst_energy_drift > doubtful_share * summary.largest_kinetic_energy &&
-        summary.worst_energy_drift > 1) {
-        fmt::print(
-            stderr,
-            "hamilcar: warning: the energy balance is off by {:.3g} J of {:.3g} J; the step of {:g} s is too large "
-            "for this run, its results are doubtful\n",
-            summary.worst_energy_drift, summary.largest_kinetic_energy, scenario.solver.step);
-    }
-    if (summary.interrupted) {
-        fmt::print(stderr, "hamilcar: interrupted at t = {:.3f} s; the results so far are kept\n", summary.duration);
-        return io::ExitCode::interrupted;
-    }
-    if (summary.ended_early) {
-        fmt::print(stderr, "hamilcar: {}: {}\n", options.file, *summary.ended_early);
-        return io::ExitCode::numerical;
-    }
-    return io::ExitCode::ok;
+    return outcome;
 }
 
 }  // namespace hamilcar::cli

@@ -31,6 +31,23 @@ bool moves_picture(const std::string& name) {
     return false;
 }
 
+// Runs that have one name are told apart by their files'.
+void name_apart(std::vector<io::PageRun>& runs) {
+    std::vector<std::string> names;
+    for (const io::PageRun& run : runs) names.push_back(run.name);
+    for (io::PageRun& run : runs) {
+        if (std::ranges::count(names, run.name) > 1) run.name = fs::path(run.file).stem().string() + ", " + run.name;
+    }
+}
+
+// A page that takes a result's place would be a run lost.
+void check_output(const std::string& path) {
+    const std::string extension = fs::path(path).extension().string();
+    if (!fs::exists(path) || extension == ".html" || extension == ".htm") return;
+    throw io::Error(io::ExitCode::usage,
+                    "--output: " + path + " is there and is no page: expected a new file, or .html");
+}
+
 io::PageRun read_run(const std::string& path, const Options& options) {
     io::ResultFile file = io::read_result(path);
     io::PageRun run{.name = name_of(path, file.title, options.files.size() == 1),
@@ -103,7 +120,9 @@ void open_in_browser(const std::string& address) {
 
 io::ExitCode view(const Options& options) {
     io::Page page;
+    if (!options.output.empty()) check_output(options.output);
     for (const std::string& file : options.files) page.runs.push_back(read_run(file, options));
+    name_apart(page.runs);
     const bool alone = page.runs.size() == 1;
     page.title = alone ? page.runs[0].name : fmt::format("{} runs", page.runs.size());
     for (const io::PageRun& run : page.runs) page.subtitle += (page.subtitle.empty() ? "" : ", ") + run.file;

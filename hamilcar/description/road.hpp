@@ -92,6 +92,8 @@ struct RoadDescription {
         return obstacles.empty() && waves.empty() && random.empty() && !grid && !crg && patches.empty() &&
                posts.height.empty();
     }
+    // Whether it has heights of its own to be seen, which patches of friction and posts under wheels are not.
+    bool is_uneven() const { return !obstacles.empty() || !waves.empty() || !random.empty() || grid || crg; }
 };
 
 }  // namespace hamilcar

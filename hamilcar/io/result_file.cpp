@@ -1,9 +1,12 @@
 #include "hamilcar/io/result_file.hpp"
 
+#include <fmt/format.h>
 #include <netcdf.h>
 
 #include <array>
 #include <filesystem>
+#include <nlohmann/json.hpp>
+#include <vector>
 
 #include "hamilcar/io/error.hpp"
 
@@ -57,6 +60,35 @@ private:
     int id_ = -1;
 };
 
+// Whether a picture can be drawn of it, and whether its road needs tiles.
+bool check_scene(const std::string& path, const std::string& text) {
+    const auto scene = nlohmann::json::parse(text, nullptr, false);
+    for (const char* part : {"frames", "links", "wheels", "tires", "bodies"}) {
+        if (scene.is_object() && scene.contains(part) && scene[part].is_array()) continue;
+        throw Error(ExitCode::bad_file,
+                    fmt::format("{}: attribute 'scene': expected what hamilcar writes there, with a "
+                                "list '{}'",
+                                path, part));
+    }
+    const auto road = scene.find("road");
+    if (road == scene.end() || !road->is_object()) {
+        throw Error(ExitCode::bad_file, path + ": attribute 'scene': expected a road in it");
+    }
+    return road->value("uneven", false);
+}
+
+// The dimensions of a variable, by their lengths.
+void expect_shape(const NetcdfFile& file, const std::string& path, int variable,
+                  const std::vector<std::size_t>& shape) {
+    int dimensions = 0;
+    file.check(nc_inq_varndims(file.id(), variable, &dimensions), "read a shape");
+    std::vector<int> ids(static_cast<std::size_t>(dimensions));
+    file.check(nc_inq_vardimid(file.id(), variable, ids.data()), "read a shape");
+    std::vector<std::size_t> lengths(ids.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) nc_inq_dimlen(file.id(), ids[i], &lengths[i]);
+    if (lengths != shape) throw Error(ExitCode::bad_file, path + ": expected the tiles of a road that hamilcar wrote");
+}
+
 std::vector<RoadTile> read_tiles(const std::string& path) {
     const NetcdfFile file(path, NetcdfFile::Mode::read);
     int dimension = 0, index = 0, height = 0;
@@ -65,6 +97,8 @@ std::vector<RoadTile> read_tiles(const std::string& path) {
     file.check(nc_inq_dimlen(file.id(), dimension, &count), "read the dimension tile");
     file.check(nc_inq_varid(file.id(), "index", &index), "find index");
     file.check(nc_inq_varid(file.id(), "height", &height), "find height");
+    expect_shape(file, path, index, {count, 2});
+    expect_shape(file, path, height, {count, tile_nodes, tile_nodes});
     std::vector<RoadTile> tiles(count);
     for (std::size_t i = 0; i < count; ++i) {
         std::array<int, 2> at{};
@@ -95,8 +129,11 @@ ResultFile read_result(const std::string& path) {
     const auto read = [&](int variable) {
         std::array<char, NC_MAX_NAME + 1> name{};
         int dimensions = 0, first = 0;
+        nc_type type = NC_NAT;
         file.check(nc_inq_varname(file.id(), variable, name.data()), "read a name");
         file.check(nc_inq_varndims(file.id(), variable, &dimensions), std::string("read the shape of ") + name.data());
+        file.check(nc_inq_vartype(file.id(), variable, &type), std::string("read the type of ") + name.data());
+        if (type == NC_CHAR || type == NC_STRING) return;
         if (dimensions != 1 || nc_inq_vardimid(file.id(), variable, &first) != NC_NOERR || first != dimension) return;
         std::vector<double> values(rows);
         file.check(nc_get_var_double(file.id(), variable, values.data()), std::string("read ") + name.data());
@@ -108,13 +145,14 @@ ResultFile read_result(const std::string& path) {
         if (variable != time) read(variable);
     }
     const std::string tiles = tiles_beside(path);
-    if (!result.scene.empty() && std::filesystem::exists(tiles)) result.tiles = read_tiles(tiles);
+    const bool uneven = !result.scene.empty() && check_scene(path, result.scene);
+    if (uneven && std::filesystem::exists(tiles)) result.tiles = read_tiles(tiles);
     return result;
 }
 
 std::string tiles_beside(const std::string& result_path) {
     std::filesystem::path path(result_path);
-    return path.replace_extension().string() + ".road.nc";
+    return path.replace_extension(".road").string();
 }
 
 void write_tiles(const std::string& path, const std::vector<RoadTile>& tiles) {

@@ -58,8 +58,13 @@ Recording::Recording(std::string path, std::shared_ptr<const Ride> ride)
       thread_([this](const std::stop_token& stop) { write_rows(stop); }) {}
 
 Recording::~Recording() {
+    finish();
+}
+
+std::string Recording::finish() {
     thread_.request_stop();
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
+    return failure_;
 }
 
 void Recording::put(double time, double x, double y, std::span<const double> values) {

@@ -23,12 +23,15 @@ public:
 
     // Of the car's channels those of the default set and those that show motion. Throws io::Error(input_output).
     Recording(std::string path, std::shared_ptr<const Ride> ride);
-    ~Recording();  // writes what is still in the ring, and the road where it is uneven
+    ~Recording();  // finishes
     Recording(const Recording&) = delete;
     Recording& operator=(const Recording&) = delete;
 
     // For the thread that steps: where the car is and every channel's value.
     void put(double time, double x, double y, std::span<const double> values);
+
+    // Writes what is still in the ring, and the road where it is uneven; nothing may be put any more. Says what went wrong.
+    std::string finish();
 
     // For any thread.
     const std::string& path() const { return path_; }

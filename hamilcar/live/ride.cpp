@@ -36,11 +36,6 @@ Ride::Ride(std::uint32_t number, const Wish& wish, const VehicleDescription& veh
     reset();
 }
 
-bool Ride::uneven() const {
-    const RoadDescription& road = simulation_.scenario().road;
-    return !road.obstacles.empty() || !road.waves.empty() || !road.random.empty() || road.grid || road.crg;
-}
-
 long Ride::steps_in(double duration) const {
     return std::max(1L, std::lround(duration / step()));
 }

@@ -51,7 +51,7 @@ public:
     const std::string& vehicle_name() const { return simulation_.vehicle().name; }
     const PlaneRoad<double>& road() const { return simulation_.model().road; }
     const Surface* surface() const { return simulation_.surface().get(); }
-    bool uneven() const;  // the surface has heights of its own
+    bool uneven() const { return simulation_.scenario().road.is_uneven(); }
 
     // For the thread that steps.
     std::optional<End> advance(const Held& held);

@@ -16,7 +16,7 @@ public:
         : stream_(std::move(socket)), seat_(house), access_(access), page_(page) {}
 
     void welcome() {
-        constexpr auto patience = std::chrono::seconds(5);
+        constexpr auto patience = std::chrono::seconds(2);
         constexpr std::uint32_t longest_header = 8192;
         parser_.header_limit(longest_header);
         stream_.expires_after(patience);

@@ -101,7 +101,7 @@ void Session::make_next() {
 
 // One step toward what is wanted; the next one follows when this one is done.
 void Session::settle_recording() {
-    if (tape_ == Tape::none && recording_wanted_) {
+    if (tape_ == Tape::none && recording_wanted_ && !making_) {  // of the car that is to come, if one is
         tape_ = Tape::opening;
         open_recording();
     } else if (tape_ == Tape::running && !recording_wanted_) {
@@ -142,9 +142,12 @@ void Session::put_away(std::shared_ptr<void> thing) {
         recording_.reset();
     }
     send_for([this, is_recording, thing = std::move(thing)]() mutable -> std::function<void()> {
+        std::string problem;
+        if (is_recording) problem = std::static_pointer_cast<Recording>(thing)->finish();
         thing.reset();
-        return [this, is_recording] {
+        return [this, is_recording, problem] {
             if (is_recording) tape_ = Tape::none;
+            if (!problem.empty()) notices_.push_back({recording_page_, problem});
         };
     });
 }

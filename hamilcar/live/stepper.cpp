@@ -86,9 +86,9 @@ void Stepper::heed_orders() {
     Orders orders = std::exchange(orders_, {});
     if (orders.ride) put_on_road(std::move(orders.ride));
     if (orders.reset) start_anew();
-    if (orders.stop_recording) put_back(std::move(recording_));
     if (orders.recording && &orders.recording->ride() != ride_.get()) put_back(std::move(orders.recording));
     if (orders.recording) recording_ = std::move(orders.recording);
+    if (orders.stop_recording) put_back(std::move(recording_));  // one that came with it too: it was opened before
     if (orders.pause) driver_pauses_ = *orders.pause;
     if (orders.driven) driven_ = *orders.driven;
     if (orders.pace) pacer_.set_pace(*orders.pace, now());

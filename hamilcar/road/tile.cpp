@@ -29,7 +29,7 @@ int tile_at(double coordinate) {
 
 RoadTile road_tile(const PlaneRoad<double>& plane, const Surface* surface, int ix, int iy) {
     RoadTile tile{ix, iy, {}};
-    tile.heights.reserve(static_cast<std::size_t>(tile_nodes * tile_nodes));
+    tile.heights.reserve(std::size_t{tile_nodes} * std::size_t{tile_nodes});
     const Vec3<double>& n = plane.normal;
     for (int row = 0; row < tile_nodes; ++row) {
         for (int column = 0; column < tile_nodes; ++column) {

@@ -38,9 +38,8 @@ json road_json(const ScenarioDescription& scenario) {
                            {"friction", patch.friction}});
     }
     for (const std::array<double, 2>& cone : scenario.cones) cones.push_back(cone);
-    const bool uneven = !road.obstacles.empty() || !road.waves.empty() || !road.random.empty() || road.grid || road.crg;
-    return {{"name", scenario.name}, {"grade", road.grade}, {"bank", road.bank}, {"friction", road.friction},
-            {"uneven", uneven},      {"patches", patches},  {"cones", cones}};
+    return {{"name", scenario.name},      {"grade", road.grade}, {"bank", road.bank}, {"friction", road.friction},
+            {"uneven", road.is_uneven()}, {"patches", patches},  {"cones", cones}};
 }
 
 }  // namespace

@@ -214,6 +214,30 @@ TEST(Recordings, EndWhereTheCarStartsAnew) {
     std::filesystem::remove_all(folder);
 }
 
+// Wishes that come faster than files open and cars are built: none is lost, none stays.
+TEST(Recordings, FollowWishesThatComeTooFast) {
+    const std::string folder = scratch_folder();
+    {
+        Session session(garage(), {"car", "flat"}, folder);
+        const auto recorded = [&] {
+            return comes_true([&] { return session.attend(), session.recording().seconds > 0.1; });
+        };
+        session.set_driven(true);
+        session.record(true, 1);
+        session.record(false, 1);
+        session.record(true, 1);
+        EXPECT_TRUE(recorded());
+        session.record(false, 1);
+        EXPECT_TRUE(comes_true([&] { return session.attend(), session.recording().file.empty(); }));
+        session.load({"car", "waves"}, 1);
+        session.record(true, 1);
+        EXPECT_TRUE(recorded());
+        EXPECT_EQ(session.ride().wish().road, "waves");
+        EXPECT_TRUE(session.take_notices().empty());
+    }
+    std::filesystem::remove_all(folder);
+}
+
 TEST(Recordings, ThatCannotBeOpenedAreRefused) {
     const std::string folder = scratch_folder();
     std::ofstream(folder) << "a file where the folder should be";

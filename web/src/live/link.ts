@@ -65,13 +65,13 @@ export class Link {
     this.socket = socket;
   }
 
-  // A browser does not tell why a handshake failed; whether the page itself can still be had does.
+  // A browser does not tell why a handshake failed; whether the page itself is still given out does.
   private async askWhy(): Promise<void> {
-    const answers = await fetch(location.href, { cache: "no-store", method: "HEAD" }).then(
-      () => true,
+    const stranger = await fetch(location.href, { cache: "no-store", method: "HEAD" }).then(
+      ({ status }) => status === 403,
       () => false,
     );
-    if (this.state !== "open") this.enter(answers ? "refused" : "lost");
+    if (this.state !== "open") this.enter(stranger ? "refused" : "lost");
   }
 
   private enter(state: LinkState): void {
