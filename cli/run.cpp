@@ -47,7 +47,8 @@ public:
         for (const Channel& channel : recorded.channels) columns.push_back(channel.column);
         if (scenario.output.netcdf) {
             paths_.push_back(folder + "/results.nc");
-            std::filesystem::remove(io::tiles_beside(paths_.back()));  // of the run that was here before
+            std::error_code nothing_there;
+            std::filesystem::remove(io::tiles_beside(paths_.back()), nothing_there);  // of the run that was here before
             std::vector<std::pair<std::string, std::string>> attributes;
             if (!recorded.scene.empty()) attributes.emplace_back(io::scene_attribute, recorded.scene);
             netcdf_ = io::open_netcdf(paths_.back(), columns, scenario.name, attributes);

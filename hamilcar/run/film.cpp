@@ -37,18 +37,15 @@ void Film::keep(double time, std::span<const double> row) {
 }
 
 void Film::add(double time, std::span<const double> row) {
-    last_.clear();
-    if (seen_++ % stride_ != 0) {
-        last_.push_back(time);
+    const auto leave_out = [&] {
+        last_.assign(1, time);
         last_.insert(last_.end(), row.begin(), row.end());
-        return;
-    }
+    };
+    if (seen_++ % stride_ != 0) return leave_out();
+    last_.clear();
     keep(time, row);
     if (run_.values[0].size() <= most_rows_) return;
-    if ((run_.values[0].size() - 1) % rows_of_a_block != 0) {  // this row itself is one of those left out
-        last_.push_back(time);
-        last_.insert(last_.end(), row.begin(), row.end());
-    }
+    if ((run_.values[0].size() - 1) % rows_of_a_block != 0) leave_out();  // this row itself is one of those that go
     for (std::vector<double>& values : run_.values) halve(values);
     stride_ *= rows_of_a_block;
 }
