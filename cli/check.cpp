@@ -8,6 +8,8 @@
 #include "hamilcar/io/tir_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/run/channels.hpp"
+#include "hamilcar/run/scenario_checks.hpp"
+#include "maneuver.hpp"
 
 namespace hamilcar::cli {
 
@@ -152,8 +154,9 @@ io::ExitCode check(const Options& options) {
     const ScenarioDescription scenario =
         io::is_scenario(options.file) ? io::read_scenario(options.file) : standing_still(options.file);
     const VehicleDescription vehicle = io::read_vehicle(scenario.vehicle);
+    if (!scenario.maneuver.name.empty()) check_maneuver(scenario, vehicle, options.file);
     in_files(options.file, scenario.vehicle,
-             [&] { return select_channels(all_channels(vehicle), scenario.output.channels); });
+             [&] { return select_channels(all_channels(as_driven(vehicle, scenario)), scenario.output.channels); });
     const Simulation simulation =
         in_files(options.file, scenario.vehicle, [&] { return Simulation(vehicle, scenario); });
     const nlohmann::json facts = describe(simulation, options.file);

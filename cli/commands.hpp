@@ -24,10 +24,18 @@ struct Options {
     bool no_browser = false;                     // drive: do not
     std::string scenario;                        // drive: where to, besides the shipped ones
     int port = 0;                                // drive: 0 is any
+    std::string maneuver, vehicle;               // run: instead of a scenario; vehicle file
+    std::vector<std::string> settings;           // run: of a maneuver, "speed=80"
+    double step = 0;                             // run: instead of the scenario's [s]
+    std::string checkpoint, resume;              // run: files
+    double checkpoint_interval = 0;              // run: of simulated time [s]; 0: only at the end
     double speed = 0, lateral_acceleration = 0;  // equilibrium, modes [m/s], [m/s^2]
 };
 
 io::ExitCode run(const Options& options);
+io::ExitCode run_maneuver(const Options& options);
+io::ExitCode list_maneuvers(const Options& options);
+io::ExitCode compare(const Options& options);
 io::ExitCode paper(const Options& options);
 io::ExitCode check(const Options& options);
 io::ExitCode bench(const Options& options);

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "commands.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
+#include "hamilcar/maneuver/maneuver.hpp"
 
 namespace hamilcar::cli {
 
@@ -38,18 +40,56 @@ void add_choices(const std::vector<std::string>& files, const Read& name_of, std
     }
 }
 
-ScenarioDescription level_road() {
+constexpr std::string_view course_road = "maneuver:";  // begins the id of a road that is a maneuver's course
+
+const Maneuver* maneuver_of(const std::string& road) {
+    return road.starts_with(course_road) ? find_maneuver(road.substr(course_road.size())) : nullptr;
+}
+
+Course usual_course(const Maneuver& maneuver, const VehicleDescription& vehicle) {
+    return maneuver.course(vehicle, complete_settings(maneuver, vehicle, {}));
+}
+
+// Of the maneuvers those that have something on the ground, for a vehicle that can do them all.
+void add_courses(const VehicleDescription& vehicle, std::vector<live::Choice>& roads) {
+    for (const Maneuver& maneuver : maneuvers()) {
+        const Course course = usual_course(maneuver, vehicle);
+        if (course.cones.empty() && course.boundaries.empty() && course.line.empty()) continue;
+        const std::string standard = maneuver.standard.empty() ? "" : " (" + maneuver.standard + ")";
+        roads.push_back({std::string(course_road) + maneuver.name, maneuver.title + standard});
+    }
+}
+
+// A road that needs no file: level ground, with nothing on it or with a course.
+std::optional<ScenarioDescription> level_road(const std::string& road) {
+    const Maneuver* maneuver = maneuver_of(road);
+    if (!maneuver && road != level_ground) return std::nullopt;
     ScenarioDescription scenario;
-    scenario.name = level_ground;
+    scenario.name = maneuver ? maneuver->title : level_ground;
     scenario.duration = 1;
     return scenario;
+}
+
+std::optional<live::TestCourse> course_on(const std::string& road, const VehicleDescription& vehicle) {
+    const Maneuver* maneuver = maneuver_of(road);
+    if (!maneuver) return std::nullopt;
+    if (const std::string obstacle = maneuver->obstacle(vehicle); !obstacle.empty()) {
+        throw io::Error(io::ExitCode::bad_file,
+                        fmt::format("{}: not for {}: {}", maneuver->title, vehicle.name, obstacle));
+    }
+    return live::TestCourse{.id = maneuver->name,
+                            .name = maneuver->standard.empty() ? maneuver->title : maneuver->standard,
+                            .title = maneuver->title,
+                            .summary = maneuver->summary,
+                            .course = usual_course(*maneuver, vehicle)};
 }
 
 }  // namespace
 
 live::Garage make_garage(const std::string& vehicle, const std::string& scenario) {
     live::Garage garage;
-    const std::string vehicles = fs::path(shipped_file("vehicles/bmw_323i.toml")).parent_path().string();
+    const std::string usual_vehicle = shipped_file("vehicles/bmw_323i.toml");
+    const std::string vehicles = fs::path(usual_vehicle).parent_path().string();
     const std::string scenarios = fs::path(shipped_file("scenarios/paper.toml")).parent_path().string();
     add_choices(
         files_in(vehicles, vehicle), [](const std::string& file) { return io::read_vehicle(file).name; },
@@ -58,8 +98,11 @@ live::Garage make_garage(const std::string& vehicle, const std::string& scenario
     add_choices(
         files_in(scenarios, scenario), [](const std::string& file) { return io::read_scenario(file).name; },
         garage.roads);
+    add_courses(io::read_vehicle(usual_vehicle), garage.roads);
+    garage.course = course_on;
     garage.open = [](const live::Wish& wish) {
-        ScenarioDescription road = wish.road == level_ground ? level_road() : io::read_scenario(wish.road);
+        const std::optional<ScenarioDescription> level = level_road(wish.road);
+        ScenarioDescription road = level ? *level : io::read_scenario(wish.road);
         road.initial.velocity = road.initial.angular_velocity = {0, 0, 0};
         return std::pair(io::read_vehicle(wish.vehicle), road);
     };

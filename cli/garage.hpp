@@ -1,5 +1,5 @@
-// What `hamilcar drive` offers in its menus: the shipped vehicles and the roads of the shipped scenarios, with those that the
-// person names.
+// What `hamilcar drive` offers in its menus: the shipped vehicles, the roads of the shipped scenarios and the courses of
+// maneuvers, with those that the person names.
 #pragma once
 
 #include <string>

@@ -57,8 +57,26 @@ private:
 
     void add_runs() {
         auto& run = with_json(add("run", cli::run, "run a scenario and write its results as CSV, netCDF and a page"));
-        run.add_option("scenario", o_.file, "scenario file (TOML)")->required();
+        auto* scenario = run.add_option("scenario", o_.file, "scenario file (TOML)");
         run.add_option("-o,--output", o_.output, "folder for the results [out/NAME]");
+        auto* maneuver =
+            run.add_option("--maneuver", o_.maneuver, "a standard maneuver instead ('hamilcar maneuvers')");
+        maneuver->excludes(scenario);
+        run.add_option("--vehicle", o_.vehicle, "vehicle file (TOML) [the scenario's; the shipped 323i]");
+        run.add_option("--set", o_.settings, "a setting of the maneuver, NAME=NUMBER; may be repeated");
+        run.add_option("--step", o_.step, "of the integration [s], instead of the scenario's")
+            ->check(CLI::Range(1e-6, 0.1));
+        run.add_option("--checkpoint", o_.checkpoint, "file that the run can be resumed from, kept up to date");
+        run.add_option("--checkpoint-interval", o_.checkpoint_interval, "of simulated time [s]; else at the end")
+            ->check(CLI::PositiveNumber);
+        run.add_option("--resume", o_.resume, "go on from such a file");
+        auto& list = with_json(add("maneuvers", cli::list_maneuvers, "list the standard maneuvers and their settings"));
+        list.add_option("vehicle", o_.file, "vehicle file (TOML) whose usual settings to show [the shipped 323i]");
+        auto& compare = add("compare", cli::compare, "put the outcomes of several maneuvers on one page");
+        compare.add_option("outcomes", o_.files, "folders that 'run --maneuver' wrote")->required();
+        compare.add_option("-o,--output", o_.output, "the page [comparison.html]");
+        compare.add_option("--rows", o_.rows, "of each drive, at most [20000]")->check(CLI::Range(100, 10000000));
+        compare.add_flag("--open", o_.open, "open it in the browser");
         auto& drive = add("drive", cli::drive, "drive a vehicle in the browser: the full model in real time");
         drive.add_option("vehicle", o_.file, "vehicle file (TOML) [the shipped 323i]");
         drive.add_option("--road", o_.scenario, "scenario file (TOML) whose road and course to start on");

@@ -117,7 +117,7 @@ RunSummary write_motion_figures(const std::string& folder, Simulation& simulatio
             time.push_back(sample.time);
             for (std::size_t i = 0; i < row.size(); ++i) values[i].push_back(row[i]);
         },
-        [&](double share) { return progress.show(share), !interrupted(); });
+        [&](double share, const RunSummary&) { return progress.show(share), !interrupted(); });
     for (std::size_t i = 0; i < channels.size(); ++i) {
         const io::Column& column = channels[i].column;
         const std::string base = folder + "/" + figures[i].file;

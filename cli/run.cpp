@@ -8,9 +8,12 @@
 #include "hamilcar/io/result_file.hpp"
 #include "hamilcar/io/tir_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
+#include "hamilcar/run/checkpoint.hpp"
 #include "hamilcar/run/film.hpp"
 #include "hamilcar/run/record.hpp"
+#include "hamilcar/run/scenario_checks.hpp"
 #include "hamilcar/run/scene.hpp"
+#include "maneuver.hpp"
 #include "progress.hpp"
 #include "summary.hpp"
 
@@ -102,7 +105,8 @@ struct PathOnGround {
     void add(const Sample& sample) { x.push_back(sample.state.position()[0]), y.push_back(sample.state.position()[1]); }
 };
 
-io::ExitCode tell(const Options& options, const RunSummary& summary, const nlohmann::json& facts) {
+io::ExitCode tell(const Options& options, const RunSummary& summary, const nlohmann::json& facts,
+                  const std::vector<std::string>& complaints) {
     if (options.json) {
         fmt::print("{}\n", facts.dump(2));
     } else {
@@ -116,6 +120,7 @@ io::ExitCode tell(const Options& options, const RunSummary& summary, const nlohm
             "for this run, its results are doubtful\n",
             summary.worst_energy_drift, summary.largest_kinetic_energy, facts["step_s"].get<double>());
     }
+    for (const std::string& complaint : complaints) fmt::print(stderr, "hamilcar: {}\n", complaint);
     if (summary.interrupted) {
         fmt::print(stderr, "hamilcar: interrupted at t = {:.3f} s; the results so far are kept\n", summary.duration);
         return io::ExitCode::interrupted;
@@ -127,43 +132,106 @@ io::ExitCode tell(const Options& options, const RunSummary& summary, const nlohm
     return io::ExitCode::ok;
 }
 
-}  // namespace
+// The rows of the first part of a run that is gone on with, from the results that it left in the folder.
+struct FirstPart {
+    Progressed progressed;
+    io::ResultFile rows;
+    std::size_t count = 0;
+};
 
-io::ExitCode run(const Options& options) {
-    const ScenarioDescription scenario = io::read_scenario(options.file);
-    const VehicleDescription vehicle = io::read_vehicle(scenario.vehicle);
-    const Recorded recorded =
-        in_files(options.file, scenario.vehicle, [&] { return choose_channels(vehicle, scenario); });
-    Simulation simulation = in_files(options.file, scenario.vehicle, [&] { return Simulation(vehicle, scenario); });
-    const std::string name = std::filesystem::path(options.file).stem().string();
-    const std::string folder = options.output.empty() ? "out/" + name : options.output;
-    make_folder(folder);
-    Files files(folder, scenario, recorded);
-    Film film(scenario.name, recorded.scene, recorded.channels);
-    PathOnGround path;
+FirstPart first_part(const Options& options, const std::string& folder, const ScenarioDescription& scenario,
+                     const Recorded& recorded, Simulation& simulation) {
+    FirstPart part;
+    if (options.resume.empty()) return part;
+    part.progressed = read_checkpoint(options.resume, simulation);
+    const long every = steps_per_row(simulation, scenario.output.interval);
+    part.count = static_cast<std::size_t>((simulation.steps_taken() + every - 1) / every);
+    const std::string results = folder + "/results.nc";
+    const auto refuse = [&](const std::string& why) {
+        throw io::Error(io::ExitCode::bad_file,
+                        fmt::format("{}: {}; --resume goes on with the results of the run that wrote the checkpoint, "
+                                    "expected them in the folder of --output",
+                                    results, why));
+    };
+    if (!std::filesystem::exists(results)) refuse("is not there");
+    part.rows = io::read_result(results);
+    if (part.rows.columns.size() != recorded.channels.size() + 1) refuse("has other channels");
+    if (part.rows.values[0].size() < part.count) refuse("ends before the checkpoint");
+    return part;
+}
 
-    Progress progress(name);
-    const RunSummary summary = record(
-        simulation, recorded.channels, scenario.output.interval,
-        [&](const Sample& sample, const std::vector<double>& row) {
-            files.write(sample.time, row);
-            if (scenario.output.report) film.add(sample.time, row);
-            if (scenario.output.motion) path.add(sample);
-        },
-        [&](double share) { return progress.show(share), !interrupted(); });
-    progress.clear();
-    files.close();
-    for (const std::string& file : tire_files(simulation.vehicle())) {
+// Keeps a checkpoint up to date.
+class Keeper {
+public:
+    Keeper(const Options& options, const Simulation& simulation)
+        : path_(options.checkpoint), interval_(options.checkpoint_interval), next_(simulation.time() + interval_) {}
+    void look(const Simulation& simulation, const RunSummary& summary, const PathOnGround& path) {
+        if (path_.empty() || interval_ <= 0 || simulation.time() < next_) return;
+        next_ += interval_;
+        write(simulation, summary, path);
+    }
+    void write(const Simulation& simulation, const RunSummary& summary, const PathOnGround& path) const {
+        if (!path_.empty()) write_checkpoint(path_, simulation, {summary, path.x, path.y});
+    }
+
+private:
+    std::string path_;
+    double interval_, next_;
+};
+
+std::string output_folder(const Options& options) {
+    return options.output.empty() ? "out/" + std::filesystem::path(options.file).stem().string() : options.output;
+}
+
+void tell_remarks(const VehicleDescription& vehicle) {
+    for (const std::string& file : tire_files(vehicle)) {
         const std::size_t notes = io::read_tir(file).notes.size();
         if (notes > 0) fmt::print(stderr, "hamilcar: {}: {} remarks; 'hamilcar tire' lists them\n", file, notes);
     }
+}
+
+// From where the simulation stands to the end of the scenario.
+io::ExitCode run_scenario(const Options& options, const ScenarioDescription& scenario, const Recorded& recorded,
+                          Simulation& simulation) {
+    const std::string folder = output_folder(options);
+    make_folder(folder);
+    const FirstPart before = first_part(options, folder, scenario, recorded, simulation);
+    Files files(folder, scenario, recorded);
+    Film film(scenario.name, recorded.scene, recorded.channels);
+    PathOnGround path{before.progressed.x, before.progressed.y};
+    const auto keep = [&](double time, std::span<const double> row) {
+        files.write(time, row);
+        if (scenario.output.report) film.add(time, row);
+    };
+    std::vector<double> row(recorded.channels.size());
+    for (std::size_t i = 0; i < before.count; ++i) {
+        for (std::size_t k = 0; k < row.size(); ++k) row[k] = before.rows.values[k + 1][i];
+        keep(before.rows.values[0][i], row);
+    }
+    Keeper keeper(options, simulation);
+    Progress progress(std::filesystem::path(options.file).stem().string());
+    const RunSummary summary = record(
+        simulation, recorded.channels, scenario.output.interval,
+        [&](const Sample& sample, const std::vector<double>& values) {
+            keep(sample.time, values);
+            if (scenario.output.motion) path.add(sample);
+        },
+        [&](double share, const RunSummary& so_far) {
+            keeper.look(simulation, so_far, path);
+            return progress.show(share), !interrupted();
+        },
+        before.progressed.summary);
+    progress.clear();
+    files.close();
+    keeper.write(simulation, summary, path);
+    tell_remarks(simulation.vehicle());
     const bool uneven = scenario.output.motion && scenario.road.is_uneven();
     const std::string report = folder + "/report.html";
     if (uneven) files.announce_road();
     if (scenario.output.report) files.add(report);
     const nlohmann::json facts = summary_json(simulation, summary, files.paths());
     write_file(folder + "/summary.json", facts.dump(2) + "\n");
-    const io::ExitCode outcome = tell(options, summary, facts);
+    const io::ExitCode outcome = tell(options, summary, facts, simulation.complaints());
 
     // Pictures last: if the disk takes no more of them, all that matters has been said and written.
     const std::vector<RoadTile> tiles =
@@ -175,6 +243,28 @@ io::ExitCode run(const Options& options) {
         write_report(report, std::move(film_of_run), simulation, facts);
     }
     return outcome;
+}
+
+}  // namespace
+
+io::ExitCode run(const Options& options) {
+    if (!options.maneuver.empty()) return run_maneuver(options);
+    if (options.file.empty()) {
+        throw io::Error(io::ExitCode::usage, "run: expected a scenario file, or --maneuver NAME");
+    }
+    ScenarioDescription scenario = io::read_scenario(options.file);
+    if (!options.vehicle.empty()) scenario.vehicle = options.vehicle;
+    if (!scenario.maneuver.name.empty()) return run_maneuver(scenario, options);
+    if (!options.settings.empty()) {
+        throw io::Error(io::ExitCode::usage, "run: --set belongs to a maneuver; " + options.file + " asks for none");
+    }
+    if (options.step > 0) scenario.solver.step = options.step;
+    const VehicleDescription vehicle = in_files(
+        options.file, scenario.vehicle, [&] { return as_driven(io::read_vehicle(scenario.vehicle), scenario); });
+    const Recorded recorded =
+        in_files(options.file, scenario.vehicle, [&] { return choose_channels(vehicle, scenario); });
+    Simulation simulation = in_files(options.file, scenario.vehicle, [&] { return Simulation(vehicle, scenario); });
+    return run_scenario(options, scenario, recorded, simulation);
 }
 
 }  // namespace hamilcar::cli

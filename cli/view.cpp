@@ -6,9 +6,7 @@
 #include <filesystem>
 
 #include "commands.hpp"
-#include "hamilcar/io/page.hpp"
-#include "hamilcar/io/result_file.hpp"
-#include "hamilcar/run/film.hpp"
+#include "page_run.hpp"
 
 namespace hamilcar::cli {
 
@@ -21,14 +19,6 @@ std::string name_of(const std::string& path, const std::string& title, bool alon
     if (alone) return title;
     const std::string folder = fs::absolute(path).parent_path().filename().string();
     return title.empty() ? folder : fmt::format("{} ({})", title, folder);
-}
-
-// Which columns only move the picture: those that its scene names.
-bool moves_picture(const std::string& name) {
-    for (const char* part : {".pose.", ".contact.", ".ground_force."}) {
-        if (name.find(part) != std::string::npos) return true;
-    }
-    return false;
 }
 
 // Runs that have one name are told apart by their files'.
@@ -46,28 +36,6 @@ void check_output(const std::string& path) {
     if (!fs::exists(path) || extension == ".html" || extension == ".htm") return;
     throw io::Error(io::ExitCode::usage,
                     "--output: " + path + " is there and is no page: expected a new file, or .html");
-}
-
-io::PageRun read_run(const std::string& path, const Options& options) {
-    io::ResultFile file = io::read_result(path);
-    io::PageRun run{.name = name_of(path, file.title, options.files.size() == 1),
-                    .file = path,
-                    .columns = std::move(file.columns),
-                    .values = std::move(file.values),
-                    .motion = {},
-                    .scene = std::move(file.scene),
-                    .tiles = std::move(file.tiles)};
-    for (const io::Column& column : run.columns) run.motion.push_back(moves_picture(column.name));
-    const std::size_t rows = run.values[0].size();
-    thin(run, static_cast<std::size_t>(options.rows));
-    if (run.values[0].size() < rows) {
-        fmt::print(stderr, "hamilcar: {}: {} of {} rows are shown; --rows {} shows all\n", path, run.values[0].size(),
-                   rows, rows);
-    }
-    if (run.scene.empty()) {
-        fmt::print(stderr, "hamilcar: {}: no motion was recorded (output.motion); plots only\n", path);
-    }
-    return run;
 }
 
 struct Extremes {
@@ -121,7 +89,10 @@ void open_in_browser(const std::string& address) {
 io::ExitCode view(const Options& options) {
     io::Page page;
     if (!options.output.empty()) check_output(options.output);
-    for (const std::string& file : options.files) page.runs.push_back(read_run(file, options));
+    for (const std::string& file : options.files) {
+        page.runs.push_back(read_run(file, options.rows));
+        page.runs.back().name = name_of(file, page.runs.back().name, options.files.size() == 1);
+    }
     name_apart(page.runs);
     const bool alone = page.runs.size() == 1;
     page.title = alone ? page.runs[0].name : fmt::format("{} runs", page.runs.size());

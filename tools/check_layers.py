@@ -13,14 +13,15 @@ LAYERS = [
     ["description", "scalar"],
     ["math"],
     ["linkage", "road", "integrator"],
-    ["tire", "force", "driveline", "suspension"],
+    ["tire", "force", "driveline", "suspension", "steering"],
     ["vehicle"],
     ["block"],
     ["driver", "analysis"],
     ["engine"],
     ["io"],
     ["run"],
-    ["batch", "live"],
+    ["batch", "maneuver"],
+    ["live"],
     ["bench"],
 ]
 LEVEL = {room: level for level, rooms in enumerate(LAYERS) for room in rooms}

@@ -90,6 +90,11 @@ Energy<T> energy(const Model<T>& model, const State<T>& state, const Velocity<T>
     const auto height = [&](const Vec3<T>& p) { return velocity.R_GC.row(2).dot(p) + state.position()[2]; };
     Energy<T> e;
     e.kinetic = T(0.5) * velocity.hub.dot(vehicle.chassis_inertia * velocity.hub);  // (56)
+    for (std::size_t i = 0; i < vehicle.powertrain.units.size(); ++i) {
+        const PowerUnit<T>& unit = vehicle.powertrain.units[i];
+        const T& p_e = vehicle.powertrain.unit_state(i, state.values.data()).momentum;
+        e.kinetic += T(0.5) * p_e * p_e * unit.inverse_inertia;
+    }
     e.potential = vehicle.chassis.mass * vehicle.gravity * height(vehicle.chassis.center) +
                   vehicle.hull.potential(hull_road(model, state, velocity));
     e.drift = T(0);

@@ -29,7 +29,9 @@ DamperDescription mean_about_rest(const DamperDescription& d) {
     return {{-1, 1}, {-mean, mean}};
 }
 
-VehicleDescription with_mean_dampers(VehicleDescription vehicle) {
+// What an exact linearization is of: dampers without a kink at rest, and a torque at the wheels in place of power units.
+VehicleDescription for_linearizing(VehicleDescription vehicle) {
+    vehicle.power_units.clear(), vehicle.differentials.clear();
     for (CornerDescription& corner : vehicle.corners) corner.damper = mean_about_rest(corner.damper);
     for (ComposedSpokeDescription& spoke : vehicle.composed) {
         for (ComposedDamperDescription& damper : spoke.dampers) damper.damper = mean_about_rest(damper.damper);
@@ -40,7 +42,7 @@ VehicleDescription with_mean_dampers(VehicleDescription vehicle) {
 }  // namespace
 
 Linearizer::Linearizer(const VehicleDescription& vehicle, const Point* seat)
-    : vehicle_(with_mean_dampers(vehicle)),
+    : vehicle_(for_linearizing(vehicle)),
       seat_(seat ? *seat : vehicle.chassis.center_of_mass),
       model_{.vehicle = Vehicle<double>(vehicle_), .road = PlaneRoad<double>(0, 0, 1)},
       reduced_(vehicle_, model_.vehicle) {}

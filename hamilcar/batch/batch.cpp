@@ -44,6 +44,23 @@ std::vector<int> shape(const ComposedSpoke<double>& spoke) {
     return out;
 }
 
+std::vector<int> shape(const Powertrain<double>& powertrain) {
+    std::vector<int> out{static_cast<int>(powertrain.units.size())};
+    for (const auto& unit : powertrain.units) {
+        out.insert(out.end(),
+                   {unit.output, static_cast<int>(unit.source.index()), static_cast<int>(unit.gears.ratio.size()),
+                    static_cast<int>(unit.converter.capacity.slope.size())});
+        if (const auto* engine = std::get_if<CombustionEngine<double>>(&unit.source)) {
+            for (const auto& curve : engine->torque) out.push_back(static_cast<int>(curve.slope.size()));
+        }
+    }
+    for (const auto& differential : powertrain.differentials) {
+        out.insert(out.end(), differential.outputs.begin(), differential.outputs.end());
+    }
+    out.insert(out.end(), powertrain.wheels.begin(), powertrain.wheels.end());
+    return out;
+}
+
 std::string composed_difference(const Vehicle<double>& a, const Vehicle<double>& b) {
     if (a.composed.size() != b.composed.size()) return "number of composed suspensions";
     for (std::size_t i = 0; i < a.composed.size(); ++i) {
@@ -67,6 +84,7 @@ std::string vehicle_difference(const Vehicle<double>& a, const Vehicle<double>& 
             return fmt::format("suspension of corner {}", i + 1);
         if (a.spokes[i].tire.index() != b.spokes[i].tire.index()) return fmt::format("tire model of corner {}", i + 1);
     }
+    if (shape(a.powertrain) != shape(b.powertrain)) return "power units or differentials";
     if (a.hull.points.size() != b.hull.points.size()) return "number of hull points";
     if (a.anti_roll_bars.size() != b.anti_roll_bars.size()) return "number of anti-roll bars";
     for (std::size_t i = 0; i < a.anti_roll_bars.size(); ++i) {
@@ -112,8 +130,12 @@ Batch::Batch(std::vector<const Simulation*> cars, const BatchOptions& options)
         }
         if (cars_[i]->steps_taken() != 0)
             throw std::invalid_argument(fmt::format("car {} is already under way", i + 1));
-        lane_cars.push_back({&cars_[i]->model(), &cars_[i]->state(), &cars_[i]->schedule()});
+        attended_.push_back({cars_[i]->schedule(), cars_[i]->driver(), cars_[i]->steps_per_decision(), std::nullopt});
     }
+    for (std::size_t i = 0; i < cars_.size(); ++i) {
+        lane_cars.push_back({&cars_[i]->model(), &cars_[i]->state(), &attended_[i].schedule});
+    }
+    step_ = solver.step;
     const ChunkSettings settings{.method = *method,
                                  .step = solver.step,
                                  .tilt_cosine = options.tilt_limit > 0 ? std::cos(options.tilt_limit) : -2.0};
@@ -125,7 +147,37 @@ Batch::Batch(std::vector<const Simulation*> cars, const BatchOptions& options)
 }
 
 void Batch::advance(long steps) {
-    pool_.run(static_cast<int>(chunks_.size()), [&](int i) { chunks_[static_cast<std::size_t>(i)]->advance(steps); });
+    pool_.run(static_cast<int>(chunks_.size()), [&](int i) { advance_chunk(static_cast<std::size_t>(i), steps); });
+    step_count_ += steps;
+}
+
+// From one decision to the next; drivers look at the step that a Simulation's would.
+void Batch::advance_chunk(std::size_t chunk, long steps) {
+    const std::size_t first = chunk * static_cast<std::size_t>(lanes_);
+    const std::size_t last = std::min(first + static_cast<std::size_t>(lanes_), cars_.size());
+    long now = step_count_;
+    const long end = now + steps;
+    while (now < end) {
+        long next = end;
+        for (std::size_t car = first; car < last; ++car) {
+            const Attended& one = attended_[car];
+            if (!one.driver || one.stop) continue;
+            if (now > 0 && now % one.steps_per_decision == 0) decide(car, now);
+            next = std::min(next, (now / one.steps_per_decision + 1) * one.steps_per_decision);
+        }
+        chunks_[chunk]->advance(next - now);
+        now = next;
+    }
+}
+
+void Batch::decide(std::size_t car, long step) {
+    if (chunk_of(car).end(lane_of(car)).reason != EndReason::none) return;
+    Attended& one = attended_[car];
+    const double time = static_cast<double>(step) * step_;
+    const State<double> state = chunk_of(car).state(lane_of(car));
+    one.driver->act(sense(cars_[car]->model(), state, one.schedule(time)), one.schedule);
+    if (one.driver->ended()) one.stop = Stop{time, state};
+    chunk_of(car).set_schedule(lane_of(car), one.schedule);
 }
 
 }  // namespace hamilcar

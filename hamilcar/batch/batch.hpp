@@ -42,13 +42,35 @@ public:
     void advance(long steps);
     double time() const { return chunks_.front()->time(); }
     // In doubles; the last good state of a car that has ended.
-    State<double> state(std::size_t car) const { return chunk_of(car).state(lane_of(car)); }
-    CarEnd end(std::size_t car) const { return chunk_of(car).end(lane_of(car)); }
-    // Another driver from now on; it must outlive the batch.
-    void set_schedule(std::size_t car, const Schedule& schedule) { chunk_of(car).set_schedule(lane_of(car), schedule); }
+    State<double> state(std::size_t car) const {
+        return attended_[car].stop ? attended_[car].stop->state : chunk_of(car).state(lane_of(car));
+    }
+    CarEnd end(std::size_t car) const {
+        const auto& stop = attended_[car].stop;
+        return stop ? CarEnd{EndReason::driver_ended, stop->time} : chunk_of(car).end(lane_of(car));
+    }
+    // Other inputs over time from now on, and no driver; they must outlive the batch.
+    void set_schedule(std::size_t car, const Schedule& schedule) {
+        attended_[car].driver.reset();
+        chunk_of(car).set_schedule(lane_of(car), schedule);
+    }
     void set_schedule(std::size_t, Schedule&&) = delete;
 
 private:
+    // A car with a driver who decides on the way: his own copies, and where he ended the run.
+    struct Stop {
+        double time;
+        State<double> state;
+    };
+    struct Attended {
+        Schedule schedule;
+        std::optional<Driver> driver;
+        long steps_per_decision = 1;
+        std::optional<Stop> stop;
+    };
+    void advance_chunk(std::size_t chunk, long steps);
+    void decide(std::size_t car, long step);
+
     Chunk& chunk_of(std::size_t car) const { return *chunks_[car / static_cast<std::size_t>(lanes_)]; }
     int lane_of(std::size_t car) const { return static_cast<int>(car % static_cast<std::size_t>(lanes_)); }
 
@@ -56,6 +78,9 @@ private:
     const Engine* engine_;
     int lanes_;
     std::vector<std::unique_ptr<Chunk>> chunks_;
+    std::vector<Attended> attended_;
+    double step_ = 0;      // [s]
+    long step_count_ = 0;  // that all chunks have done
     WorkerPool pool_;
 };
 

@@ -12,7 +12,7 @@ namespace hamilcar {
 namespace {
 
 struct Run {
-    Path path;
+    Trace path;
     double violation = 0, wall_time = 0;
 };
 
@@ -35,21 +35,21 @@ Run drive(const VehicleDescription& vehicle, const ScenarioDescription& scenario
 
 }  // namespace
 
-double path_error(const Path& path, const Path& reference) {
+double path_error(const Trace& path, const Trace& reference) {
     if (path.size() != reference.size()) return std::numeric_limits<double>::infinity();
     double worst = 0;
     for (std::size_t i = 0; i < path.size(); ++i) worst = std::max(worst, (path[i] - reference[i]).norm());
     return worst;
 }
 
-Path reference_path(const VehicleDescription& vehicle, ScenarioDescription scenario) {
+Trace reference_path(const VehicleDescription& vehicle, ScenarioDescription scenario) {
     scenario.solver.integrator = "rk4";
     scenario.solver.step = 1e-4;
     return drive(vehicle, scenario).path;
 }
 
 TrialResult run_trial(const VehicleDescription& vehicle, ScenarioDescription scenario, const Trial& trial,
-                      const Path& reference, int times) {
+                      const Trace& reference, int times) {
     scenario.solver.integrator = trial.integrator;
     scenario.solver.step = trial.step;
     scenario.solver.constraints = trial.constraints;

@@ -9,11 +9,11 @@
 namespace hamilcar {
 
 // Where the chassis origin is, ten times a second [m].
-using Path = std::vector<Vec3<double>>;
+using Trace = std::vector<Vec3<double>>;
 inline constexpr double path_interval = 0.1;  // [s]
 
 // Largest distance between the two at one time [m]; infinite where one ends early.
-double path_error(const Path& path, const Path& reference);
+double path_error(const Trace& path, const Trace& reference);
 
 struct Trial {
     std::string integrator;
@@ -30,11 +30,11 @@ struct TrialResult {
 };
 
 // The scenario with a step so small that halving it changes nothing that the trials could see.
-Path reference_path(const VehicleDescription& vehicle, ScenarioDescription scenario);
+Trace reference_path(const VehicleDescription& vehicle, ScenarioDescription scenario);
 
 // Driven so often; the median of the times counts.
 TrialResult run_trial(const VehicleDescription& vehicle, ScenarioDescription scenario, const Trial& trial,
-                      const Path& reference, int times);
+                      const Trace& reference, int times);
 
 // All integrators worth a look, in both constraint modes.
 std::vector<Trial> usual_trials();

@@ -113,7 +113,7 @@ BenchReport bench(const VehicleDescription& vehicle, double seconds,
     progress("work against precision");
     ScenarioDescription scenario = lane_change();
     scenario.duration = report.trial_duration = std::clamp(std::round(seconds), 2.0, scenario.duration);
-    const Path reference = reference_path(vehicle, scenario);
+    const Trace reference = reference_path(vehicle, scenario);
     for (const Trial& trial : usual_trials()) {
         report.trials.push_back(run_trial(vehicle, scenario, trial, reference, seconds < 5 ? 1 : 3));
     }

@@ -77,8 +77,9 @@ public:
         }
     }
 
-    // `number`: of the wheel in the vehicle; `bar`: of anti-roll bars, along the wheel's travel [N].
-    void add_wheel(int i, int number, const T& bar) {
+    // `number`: of the wheel in the vehicle; `bar`: of anti-roll bars, along the wheel's travel [N]; `shaft`: torque of a
+    // driveline [N m].
+    void add_wheel(int i, int number, const T& bar, const T& shaft_torque) {
         const ComposedWheel<T>& wheel = spoke_.wheels[i];
         const auto state = spoke_.wheel_state(i, values_);
         ComposedWheelForces<T>& f = out_.wheels[i];
@@ -99,7 +100,7 @@ public:
         }
         static_cast<TireForces<T>&>(f) = f.tires[0];
         const auto brake = wheel.brake.evaluate(input_.brake, f.spin, state.brake_windup);
-        f.drive_torque = wheel.drive_share * input_.drive_torque;
+        f.drive_torque = wheel.drive_share * input_.drive_torque + shaft_torque;
         f.brake_torque = brake.torque;
         out_.windup_rate[i] = brake.windup_rate;
         out_.spin_momentum_rate[i] = f.tire_spin_torque + f.drive_torque + f.brake_torque;
@@ -230,11 +231,12 @@ void finish_trailer(const Trailer<T>& trailer, const TrailerVelocity<T>& at, con
     tow_external += Q;
 }
 
-// Everything composed and trailed; adds to the motor vehicle's external wrench and to the work.
+// Everything composed and trailed, driven by `shafts` if there are any; adds to the motor vehicle's external wrench and to the work.
 template <class T>
 [[gnu::noinline]] void composed_momenta(const Model<T>& model, const State<T>& state, const Input<T>& input,
                                         const ComposedVelocities<T>& velocity, const Mat3<T>& R_GC,
-                                        const Surroundings<T>& motor_vehicle, ComposedMomentaOfAll<T>& out,
+                                        const Surroundings<T>& motor_vehicle,
+                                        const std::array<T, max_composed_wheels>* shafts, ComposedMomentaOfAll<T>& out,
                                         Spatial<T>& external, T& work_rate) {
     const Vehicle<T>& vehicle = model.vehicle;
     std::array<UnitPlace<T>, max_trailers + 1> places;
@@ -260,8 +262,8 @@ template <class T>
         momenta.add_bodies();
         for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
             const int wheel = spoke.first_wheel + static_cast<int>(i);
-            momenta.add_wheel(static_cast<int>(i), vehicle.spoke_count() + wheel,
-                              bars[static_cast<std::size_t>(wheel)]);
+            momenta.add_wheel(static_cast<int>(i), vehicle.spoke_count() + wheel, bars[static_cast<std::size_t>(wheel)],
+                              shafts ? (*shafts)[static_cast<std::size_t>(wheel)] : T(0));
         }
         momenta.add_springs();
         (unit == 0 ? external : out.trailers[unit - 1].external) += momenta.external();

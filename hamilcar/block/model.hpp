@@ -38,6 +38,10 @@ struct Input {
     T drive_torque{0};  // at the driven wheels together [N m]
     T brake{0};         // command, 0 to 1
     double time = 0;    // for roads that move [s]
+    T throttle{0};      // pedal of the power units, 0 to 1
+    T clutch{0};        // pedal, 0 released to 1 pressed
+    T gear{0};          // -1 reverse, 0 neutral, 1 first, ...; between two while a gearbox passes from one to the next
+    T wind_x{0}, wind_y{0};  // velocity of the air, ground axes [m/s]
 };
 
 // Calls f with the chart object the model names.

@@ -4,7 +4,7 @@
 //     p' = F,  L' = N_O - r' x p                                 // external forces only
 #pragma once
 
-#include "hamilcar/block/composed_momenta.hpp"
+#include "hamilcar/block/powertrain_momenta.hpp"
 #include "hamilcar/block/spoke_momenta.hpp"
 
 namespace hamilcar {
@@ -15,6 +15,7 @@ struct Momenta {
     T work_rate;          // [W]
     std::array<SpokeMomenta<S>, max_spokes> spokes;
     ComposedMomentaOfAll<T> composed;  // and trailers
+    PowertrainMomenta<T> powertrain;   // where there is one
     Momenta() {}
 };
 
@@ -41,15 +42,14 @@ HAMILCAR_CORE std::array<T, max_spokes> anti_roll_forces(const Vehicle<T>& vehic
 
 // What the ground, the air and gravity do to the chassis itself.
 template <class T>
-HAMILCAR_CORE void chassis_momenta(const Vehicle<T>& vehicle, const Surroundings<T>& world,
+HAMILCAR_CORE void chassis_momenta(const Vehicle<T>& vehicle, const Surroundings<T>& world, const Vec3<T>& wind,
                                    const GroundBelow<T>& ground, Spatial<T>& external, T& work_rate) {
-    const Vec3<T> v = velocity_at<T>(world.hub, vehicle.aerodynamics.center);
-    const Vec3<T> drag = v * (-vehicle.aerodynamics.half_density_area * sqrt(v.squaredNorm()));
+    const auto air = vehicle.aerodynamics.evaluate(world.hub, wind);
     const WheelRoad<T> below = ground_of_hull(ground, vehicle.hull, world.hub);
     const auto hull = vehicle.hull.contact(below.plane, world.hub, below.rise);
-    external = force_at<T>(vehicle.aerodynamics.center, drag) + hull.wrench +
+    external = air.wrench + hull.wrench +
                spatial<T>(world.gravity * vehicle.chassis.mass, vehicle.chassis_inertia.moment.cross(world.gravity));
-    work_rate = drag.dot(v) + hull.lost_power;
+    work_rate = air.power + hull.lost_power;
 }
 
 template <class S, class T>
@@ -71,7 +71,15 @@ HAMILCAR_CORE Momenta<T, S> momenta_block_of(const Model<T>& model, const State<
     UnevenGround<RoadNumber<T>> uneven;
     const UnitPlace<T> place{state.position(), velocity.R_GC};
     const GroundBelow<T> below_chassis = ground_below(model, place, world.road, input.time, uneven);
-    chassis_momenta(vehicle, world, below_chassis, out.external, out.work_rate);
+    const Mat3<T>& R = velocity.R_GC;
+    const Vec3<T> wind = R.row(0).transpose() * input.wind_x + R.row(1).transpose() * input.wind_y;
+    chassis_momenta(vehicle, world, wind, below_chassis, out.external, out.work_rate);
+    ShaftTorques<T> shafts;
+    const bool powered = vehicle.powertrain.exists();
+    if (powered) {
+        powertrain_momenta(vehicle, state, input, velocity, corner_axes<T, S>(vehicle, velocity), out.powertrain,
+                           shafts, out.work_rate);
+    }
     const std::array<T, max_spokes> bars = anti_roll_forces(vehicle, velocity);
     const Surroundings<S> around = abreast<S>(world);
     const Input<S> inputs{abreast<S>(input.rack), S(input.drive_torque), S(input.brake), input.time};
@@ -81,7 +89,10 @@ HAMILCAR_CORE Momenta<T, S> momenta_block_of(const Model<T>& model, const State<
         const auto numbers = gather_row<S>(state, row.index);
         visit_spoke(row.spokes, velocity, i, [&](const Spoke<S>& spoke, const auto&, const auto& at) HAMILCAR_INLINED {
             const GroundOfWheel<S> below{ground, {row.index[0], row.index[1]}};
-            tires[i] = wheel_momenta<account>(spoke, at, spoke_view(numbers), inputs, below, out.spokes[i]);
+            S drive = spoke.drive_share * inputs.drive_torque;
+            if (powered) drive += from_places<S>(shafts.corners, row.index);
+            tires[i] =
+                wheel_momenta<account>(spoke, at, spoke_view(numbers), inputs.brake, drive, below, out.spokes[i]);
         });
     });
     PlaceSum<T, S, std::tuple_size_v<SpokeShare<S>>> sum;
@@ -98,8 +109,8 @@ HAMILCAR_CORE Momenta<T, S> momenta_block_of(const Model<T>& model, const State<
     for (int k = 0; k < 6; ++k) out.external[k] += spokes[static_cast<std::size_t>(k)];
     out.work_rate += spokes.back();
     if (vehicle.has_composed()) {
-        composed_momenta(model, state, input, velocity.composed, velocity.R_GC, world, out.composed, out.external,
-                         out.work_rate);
+        composed_momenta(model, state, input, velocity.composed, velocity.R_GC, world,
+                         powered ? &shafts.composed : nullptr, out.composed, out.external, out.work_rate);
     }
     return out;
 }

@@ -57,6 +57,9 @@ HAMILCAR_CORE void rate_of_state(const Model<T>& model, const State<T>& state, c
     if (model.vehicle.has_composed()) {
         write_composed_rates(model.vehicle, velocity.composed, momenta.composed, rate);
     }
+    if (model.vehicle.powertrain.exists()) {
+        write_powertrain_rates(model.vehicle.powertrain, momenta.powertrain, rate);
+    }
 }
 
 // What a turn tells besides the rates.

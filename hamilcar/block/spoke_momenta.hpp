@@ -24,6 +24,7 @@ struct SpokeMomenta {
     std::array<T, max_independent> V_rate, momentum_rate;
     std::array<T, max_dependent> W_rate;
     T spin_momentum_rate, deflection_x_rate, deflection_y_rate, windup_rate;
+    T drive_torque;         // on the wheel [N m]
     SpokeForces<T> forces;  // only where the account is full
     SpokeMomenta() {}
 };
@@ -40,7 +41,7 @@ using SpokeShare = std::array<T, 6 + 1>;
 // another wheel's can run beside.
 template <Account account, class T, class Kind>
 HAMILCAR_CORE Spatial<T> wheel_momenta(const Spoke<T>& spoke, const SpokeVelocity<T, Kind>& at,
-                                       const SpokeState<const T>& state, const Input<T>& input,
+                                       const SpokeState<const T>& state, const T& brake_command, const T& drive,
                                        const GroundOfWheel<T>& ground, SpokeMomenta<T>& out) {
     SpokeForces<T> scratch;
     SpokeForces<T>& f = account == Account::full ? out.forces : scratch;
@@ -49,8 +50,8 @@ HAMILCAR_CORE Spatial<T> wheel_momenta(const Spoke<T>& spoke, const SpokeVelocit
     f.spin = omega - turning;
     const Spatial<T> wrench = tire_wrench<T>(spoke.tire, ground, at.wheel_center, at.spin_axis, at.motion, omega,
                                              turning, state.deflection_x, state.deflection_y, f, f.tire_spin_torque);
-    const auto brake = spoke.brake.evaluate(input.brake, f.spin, state.brake_windup);
-    f.drive_torque = spoke.drive_share * input.drive_torque;
+    const auto brake = spoke.brake.evaluate(brake_command, f.spin, state.brake_windup);
+    f.drive_torque = out.drive_torque = drive;
     f.brake_torque = brake.torque;
     out.windup_rate = brake.windup_rate;
     out.deflection_x_rate = f.tire.u_rate;
@@ -114,7 +115,7 @@ HAMILCAR_CORE SpokeShare<T> spoke_momenta(const Spoke<T>& spoke, const Kind& sus
     f.stop = spoke.bump.force(f.travel) - spoke.rebound.force(T(-f.travel));
 
     Spatial<T> Q = external;  // (55)
-    angular(Q) += at.spin_axis * (spoke.drive_share * input.drive_torque);
+    angular(Q) += at.spin_axis * out.drive_torque;
     const Spatial<T> carried = Q - cross_force<T>(world.hub, h);
     const Vector<T, nV> rate = at.position.J.transpose() * carried + rates.J.transpose() * h +  // (71)
                                f.spring * spring.gradient + f.damper * damper.gradient +

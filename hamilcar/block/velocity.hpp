@@ -116,6 +116,16 @@ HAMILCAR_CORE RackMotion<S> abreast(const RackMotion<T>& rack) {
     return {S(rack.displacement), S(rack.rate), S(rack.acceleration)};
 }
 
+// The momenta of all rotors, in the chassis's axes.
+template <class T>
+HAMILCAR_CORE Vec3<T> rotor_momenta(const Powertrain<T>& powertrain, const State<T>& state) {
+    Vec3<T> sum = Vec3<T>::Zero();
+    for (std::size_t i = 0; i < powertrain.units.size(); ++i) {
+        sum += powertrain.units[i].axis * powertrain.unit_state(i, state.values.data()).momentum;
+    }
+    return sum;
+}
+
 // The 6x6 system of the hub with all spokes condensed.  // (58)
 template <class T>
 HAMILCAR_CORE Spatial<T> solve_hub(const SpatialInertia<T>& chassis, const Spatial<T>& momentum,
@@ -156,6 +166,10 @@ HAMILCAR_CORE Velocity<T, S> velocity_block_of(const Model<T>& model, const Stat
     if (vehicle.has_composed()) {
         const CondensedSpoke<T> rest = condense_composed(model, state, input.rack, out.composed, out.health);
         for (std::size_t i = 0; i < total.size(); ++i) total[i] += rest[i];
+    }
+    if (vehicle.powertrain.exists()) {
+        const Vec3<T> rotors = rotor_momenta(vehicle.powertrain, state);
+        for (std::size_t k = 0; k < 3; ++k) total[21 + 3 + k] += rotors[static_cast<Eigen::Index>(k)];
     }
     out.hub = solve_hub(vehicle.chassis_inertia, out.momentum, total);
     const Spatial<S> hub = abreast<S>(out.hub);

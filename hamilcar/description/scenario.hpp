@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "hamilcar/description/driver.hpp"
+#include "hamilcar/description/maneuver.hpp"
 #include "hamilcar/description/road.hpp"
 #include "hamilcar/description/signal.hpp"
 
@@ -60,11 +62,23 @@ struct ScenarioDescription {
     InitialDescription initial;
     RoadDescription road;
     SteeringInput steering_input = SteeringInput::none;
-    SignalDescription steering;  // steering wheel angle [rad] or rack displacement [m]
-    SignalDescription drive;     // torque at the driven wheels together [N m]
-    SignalDescription brake;     // pedal command, 0 to 1 [1]
+    SignalDescription steering;        // steering wheel angle [rad] or rack displacement [m]
+    SignalDescription drive;           // torque at the driven wheels together [N m]
+    SignalDescription brake;           // pedal command, 0 to 1 [1]
+    SignalDescription throttle;        // pedal of the power units, 0 to 1 [1]
+    SignalDescription clutch;          // pedal, 0 released to 1 pressed [1]
+    SignalDescription gear;            // -1 reverse, 0 neutral, 1 first, ... [1]
+    SignalDescription wind_x, wind_y;  // velocity of the air, ground axes [m/s]
+    DriverDescription driver;          // acts where inputs are not given
+    ManeuverDescription maneuver;      // drives instead of inputs and driver
     OutputDescription output;
     std::vector<std::array<double, 2>> cones;  // that mark a course; nothing feels them: x, y on the ground [m]
 };
+
+// Whether the vehicle's power units run: where somebody uses pedal and gears. In all other runs a torque at the wheels stands
+// for them, and rotors are a part of the chassis.
+inline bool is_powered(const ScenarioDescription& scenario) {
+    return !scenario.throttle.time.empty() || !scenario.gear.time.empty() || scenario.driver.shifting.has_value();
+}
 
 }  // namespace hamilcar

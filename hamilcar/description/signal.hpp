@@ -5,7 +5,8 @@
 
 namespace hamilcar {
 
-enum class Interpolation { smooth, linear };  // monotone cubic (continuous rate) or straight lines
+// Monotone cubic (continuous rate), straight lines, or each value until the next one.
+enum class Interpolation { smooth, linear, steps };
 
 // An input over time; constant before the first and after the last point. Times strictly increase.
 struct SignalDescription {

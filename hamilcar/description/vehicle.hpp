@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hamilcar/description/linkage.hpp"
+#include "hamilcar/description/powertrain.hpp"
 #include "hamilcar/description/tire.hpp"
 
 namespace hamilcar {
@@ -182,10 +183,16 @@ struct TrailerDescription {
     BodyDescription chassis;
 };
 
+// Forces in the flow v of the air against the chassis, with q = rho |v| / 2 at `center`:
+// along x -q drag_area v_x, along y -q side_area v_y; lift upward q |v| lift_area at each axle; yaw moment -q yaw_volume v_y.
 struct AerodynamicsDescription {
-    double drag_area = 0;    // C_d A [m^2]
-    double air_density = 0;  // [kg/m^3]
-    Point center{};          // where the drag acts [m]
+    double drag_area = 0;             // C_d A [m^2]
+    double air_density = 0;           // [kg/m^3]
+    Point center{};                   // where drag and side force act [m]
+    std::optional<double> side_area;  // force against the cross flow, per sine of its angle; as the drag if empty [m^2]
+    double yaw_volume = 0;            // moment that turns the car into the cross flow's lee, likewise [m^3]
+    std::array<double, 2> lift_area{};   // C_l A, upward, in front and in the rear [m^2]
+    std::array<double, 2> lift_place{};  // where along x they act [m]
 };
 
 // Points of the body that may touch the road when the car tips over (docs/models/forces.md, "Hull").
@@ -199,6 +206,9 @@ struct HullDescription {
 struct SteeringDescription {
     double rack_per_revolution = 0;  // rack travel per turn of the steering wheel [m]
     double rack_travel = 0;          // half travel: |rack| stays below it [m]
+    // A ratio that varies: angles of the steering wheel from 0 on, and the rack there; mirrored to the other side. Empty: the
+    // ratio above everywhere.
+    std::vector<double> angle, rack;  // [rad], [m]
 };
 
 struct VehicleDescription {
@@ -212,7 +222,9 @@ struct VehicleDescription {
     AerodynamicsDescription aerodynamics;
     HullDescription hull;
     SteeringDescription steering;
-    double gravity = 9.80665;  // [m/s^2]
+    std::vector<PowerUnitDescription> power_units;
+    std::vector<DifferentialDescription> differentials;  // outputs before inputs
+    double gravity = 9.80665;                            // [m/s^2]
 };
 
 // Calls f(wheel, unit) for the wheels of corners, then for those of composed suspensions: the vehicle's order of wheels. Both

@@ -1,39 +1,64 @@
-// The driver as a schedule: inputs over time with their rates, smooth enough for the rack's velocity to be continuous.
+// Inputs over time with their rates, smooth enough for the rack's velocity to be continuous: what a scenario's tables say,
+// and what a driver who decides from moment to moment puts in their place.
 #pragma once
+
+#include <array>
 
 #include "hamilcar/block/model.hpp"
 #include "hamilcar/description/scenario.hpp"
 #include "hamilcar/math/signal.hpp"
+#include "hamilcar/steering/column.hpp"
 
 namespace hamilcar {
 
-// Rack, drive and brake of a scenario; call it with a time to get the Input.
+// What there is to prescribe, each a signal of its own.
+enum class Control { rack, drive_torque, brake, throttle, clutch, gear, wind_x, wind_y };
+inline constexpr std::size_t control_count = 8;
+
 class Schedule {
 public:
-    // Steering wheel angles become rack displacements by the vehicle's travel per revolution.
+    // Steering wheel angles become rack displacements by the vehicle's steering column.
     Schedule(const ScenarioDescription& scenario, const SteeringDescription& steering);
+
+    // All inputs at a time [s].
     HAMILCAR_CORE Input<double> operator()(double time) const {
-        const SignalValue<double> rack = rack_.at(time);
-        return {.rack = {rack.value, rack.rate, rack.acceleration},
-                .drive_torque = drive_.at(time).value,
-                .brake = brake_.at(time).value,
-                .time = time};
+        const SignalValue<double> rack = signal(Control::rack).at(time);
+        const auto value = [&](Control control) { return signal(control).at(time).value; };
+        Input<double> input{.rack = {rack.value, rack.rate, rack.acceleration},
+                            .drive_torque = value(Control::drive_torque),
+                            .brake = value(Control::brake),
+                            .time = time};
+        if (powered_) {
+            input.throttle = value(Control::throttle);
+            input.clutch = value(Control::clutch);
+            input.gear = value(Control::gear);
+        }
+        if (windy_) input.wind_x = value(Control::wind_x), input.wind_y = value(Control::wind_y);
+        return input;
     }
 
-    // A driver who decides from step to step: from `now.time` on the rack goes as its displacement, rate and acceleration
-    // say, torque and brake stay. Without allocation.
-    void follow(const Input<double>& now, double step) {
-        rack_.follow(now.time, {now.rack.displacement, now.rack.rate, now.rack.acceleration}, step);
-        drive_.follow(now.time, {now.drive_torque}, step);
-        brake_.follow(now.time, {now.brake}, step);
+    // From `time` on a control goes as value, rate and acceleration say, until it is told otherwise. Without allocation;
+    // `step` is the time that the piece is written over [s].
+    void follow(Control control, double time, const SignalValue<double>& now, double step) {
+        signals_[static_cast<std::size_t>(control)].follow(time, now, step);
     }
 
-    const Signal& rack() const { return rack_; }
-    const Signal& drive() const { return drive_; }
-    const Signal& brake() const { return brake_; }
+    // What later inputs depend on besides the scenario's tables: the controls that follow somebody.
+    struct Memory {
+        std::array<bool, control_count> follows{};
+        std::array<Signal::Span, control_count> spans;
+    };
+    void save(Memory& to) const;
+    void restore(const Memory& from);
+
+    const Signal& signal(Control control) const { return signals_[static_cast<std::size_t>(control)]; }
+    // Whether power units listen to throttle, clutch and gear, and whether there is a wind.
+    bool powered() const { return powered_; }
+    bool windy() const { return windy_; }
 
 private:
-    Signal rack_, drive_, brake_;
+    std::array<Signal, control_count> signals_;
+    bool powered_ = false, windy_ = false;
 };
 
 }  // namespace hamilcar

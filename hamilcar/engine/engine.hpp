@@ -15,7 +15,7 @@ namespace hamilcar {
 enum class Precision { double_precision, single_precision };
 
 // Why a car of a batch stopped before the others.
-enum class EndReason { none, not_finite, came_apart, locked, rolled_over };
+enum class EndReason { none, not_finite, came_apart, locked, rolled_over, driver_ended };
 
 struct CarEnd {
     EndReason reason = EndReason::none;

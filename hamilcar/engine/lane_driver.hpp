@@ -48,24 +48,34 @@ private:
     };
 
     Input<T> evaluate(double time) const {
-        const SignalValue<T> rack = rack_.at(time);
-        return {.rack = {rack.value, rack.rate, rack.acceleration},
-                .drive_torque = drive_.at(time).value,
-                .brake = brake_.at(time).value,
-                .time = time};
+        const auto value = [&](Control control) { return pieces_[static_cast<std::size_t>(control)].at(time).value; };
+        const SignalValue<T> rack = pieces_[static_cast<std::size_t>(Control::rack)].at(time);
+        Input<T> input{.rack = {rack.value, rack.rate, rack.acceleration},
+                       .drive_torque = value(Control::drive_torque),
+                       .brake = value(Control::brake),
+                       .time = time};
+        if (powered_) {
+            input.throttle = value(Control::throttle);
+            input.clutch = value(Control::clutch);
+            input.gear = value(Control::gear);
+        }
+        if (windy_) input.wind_x = value(Control::wind_x), input.wind_y = value(Control::wind_y);
+        return input;
     }
 
     void fetch(double time) {
-        constant_ = true;
+        constant_ = true, powered_ = windy_ = false;
         begin_ = -std::numeric_limits<double>::infinity(), end_ = -begin_;
-        fetch(rack_, time, &Schedule::rack);
-        fetch(drive_, time, &Schedule::drive);
-        fetch(brake_, time, &Schedule::brake);
+        for (const Schedule* schedule : schedules_) {
+            powered_ = powered_ || schedule->powered();
+            windy_ = windy_ || schedule->windy();
+        }
+        for (std::size_t i = 0; i < control_count; ++i) fetch(pieces_[i], time, static_cast<Control>(i));
         constants_ = evaluate(time);
     }
-    void fetch(Pieces& to, double time, const Signal& (Schedule::*signal)() const) {
+    void fetch(Pieces& to, double time, Control control) {
         for (int i = 0; i < lanes; ++i) {
-            const Signal::Span& span = (schedules_[static_cast<std::size_t>(i)]->*signal)().piece_at(time);
+            const Signal::Span& span = schedules_[static_cast<std::size_t>(i)]->signal(control).piece_at(time);
             begin_ = std::max(begin_, span.begin), end_ = std::min(end_, span.end);
             constant_ = constant_ && span.piece.inverse_duration == 0;
             const Parts start(span.start());
@@ -78,9 +88,10 @@ private:
     }
 
     std::array<const Schedule*, static_cast<std::size_t>(lanes)> schedules_{};
-    Pieces rack_, drive_, brake_;
+    std::array<Pieces, control_count> pieces_;
     double begin_ = 1, end_ = 0;
-    bool constant_ = false;  // in all lanes, between these times
+    bool constant_ = false;                 // in all lanes, between these times
+    bool powered_ = false, windy_ = false;  // in any lane
     Input<T> constants_;
 };
 

@@ -22,11 +22,13 @@ constexpr std::array unit_words{
     UnitWord{"s2", "s^2"},
     UnitWord{"N", "N"},
     UnitWord{"Pa", "Pa"},
+    UnitWord{"W", "W"},
     UnitWord{"rad", "rad"},
     UnitWord{"per", "/"},
     UnitWord{"revolution", "revolution"},
     UnitWord{"percent", "%", 0.01},
     UnitWord{"deg", "deg", std::numbers::pi / 180},
+    UnitWord{"rpm", "rpm", std::numbers::pi / 30},
 };
 
 const UnitWord* find_unit_word(std::string_view word) {

@@ -74,12 +74,21 @@ struct BlockJson {
                               {"points", curve.points}});
         }
         for (const auto& [x, label] : chart.vertical_marks) marks.push_back({{"x", x}, {"label", label}});
-        return {{"kind", "chart"},
-                {"title", chart.title},
-                {"x", {{"label", chart.x_label}, {"logarithmic", chart.log_x}}},
-                {"y", {{"label", chart.y_label}, {"logarithmic", chart.log_y}}},
-                {"curves", curves},
-                {"marks", marks}};
+        json block{{"kind", "chart"},
+                   {"title", chart.title},
+                   {"x", {{"label", chart.x_label}, {"logarithmic", chart.log_x}}},
+                   {"y", {{"label", chart.y_label}, {"logarithmic", chart.log_y}}},
+                   {"curves", curves},
+                   {"marks", marks}};
+        add_surroundings(block, chart);
+        return block;
+    }
+    json operator()(const Verdicts& verdicts) const {
+        json list = json::array();
+        for (const Verdict& one : verdicts.list) {
+            list.push_back({{"criterion", one.criterion}, {"passed", one.passed}, {"found", one.found}});
+        }
+        return {{"kind", "verdicts"}, {"list", list}};
     }
     json operator()(const Table& table) const {
         json columns = json::array(), rows = json::array();
@@ -90,6 +99,20 @@ struct BlockJson {
             rows.push_back(cells);
         }
         return {{"kind", "table"}, {"title", table.title}, {"columns", columns}, {"rows", rows}};
+    }
+
+private:
+    // Only what is there: most charts stand in no landscape.
+    void add_surroundings(json& block, const Chart& chart) const {
+        if (chart.equal_axes) block["equal_axes"] = true;
+        for (const auto& [y, label] : chart.horizontal_marks) {
+            block["horizontal_marks"].push_back({{"y", y}, {"label", label}});
+        }
+        for (const Marks& cones : chart.marks) {
+            block["cones"].push_back(
+                {{"label", cones.label}, {"x", numbers.add(cones.x)}, {"y", numbers.add(cones.y)}});
+        }
+        for (const Line& line : chart.lines) block["lines"].push_back({line.x0, line.y0, line.x1, line.y1});
     }
 };
 

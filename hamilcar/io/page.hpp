@@ -19,12 +19,27 @@ struct Curve {
     bool points = false;       // marks as well as a line
 };
 
+// Cones on the ground, in the units of the axes.
+struct Marks {
+    std::string label;  // "" where the legend is not to name them
+    std::vector<double> x, y;
+};
+
+// A barrier that is not to be crossed, straight.
+struct Line {
+    double x0, y0, x1, y1;
+};
+
 struct Chart {
     std::string title, x_label, y_label;  // labels with their unit: "time [s]"
     std::vector<Curve> curves;
     bool log_y = false;
     std::vector<std::pair<double, std::string>> vertical_marks;  // x and its label
     bool log_x = false;
+    std::vector<std::pair<double, std::string>> horizontal_marks;  // limits: y and their label
+    bool equal_axes = false;  // both to one scale, as on a map; neither logarithmic
+    std::vector<Marks> marks;
+    std::vector<Line> lines;
 };
 
 using Cell = std::variant<std::monostate, double, std::string>;  // monostate: does not exist
@@ -43,7 +58,16 @@ struct Paragraph {
 };
 struct Replay {};  // the film of the page's runs with their plots
 
-using PageBlock = std::variant<Heading, Paragraph, Chart, Table, Replay>;
+struct Verdict {
+    std::string criterion;  // "no cone is hit"
+    bool passed;
+    std::string found;  // "2 cones"; "" where there is nothing to tell
+};
+struct Verdicts {
+    std::vector<Verdict> list;  // all are to be passed
+};
+
+using PageBlock = std::variant<Heading, Paragraph, Chart, Table, Replay, Verdicts>;
 
 // A run as rows of a result file, column by column; the first is "time".
 struct PageRun {

@@ -2,8 +2,10 @@
 #include "hamilcar/io/scenario_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "hamilcar/integrator/stabilization.hpp"
+#include "hamilcar/io/driver_file.hpp"
 #include "hamilcar/io/number_text.hpp"
 #include "hamilcar/io/road_file.hpp"
 #include "hamilcar/io/table_reader.hpp"
@@ -72,6 +74,10 @@ SignalDescription read_optional_signal(const TableReader& inputs, std::string_vi
 void read_inputs(const TableReader& inputs, ScenarioDescription& scenario) {
     scenario.drive = read_optional_signal(inputs, "drive", "torque_N_m", any_number);
     scenario.brake = read_optional_signal(inputs, "brake", "command", fraction);
+    scenario.throttle = read_optional_signal(inputs, "throttle", "pedal", fraction);
+    scenario.clutch = read_optional_signal(inputs, "clutch", "pedal", fraction);
+    scenario.gear = read_optional_signal(inputs, "gear", "number", any_number);
+    scenario.gear.interpolation = Interpolation::steps;
     const bool at_wheel = inputs.chosen({{"steering_wheel"}, {"rack"}}) == 0;
     if (at_wheel && inputs.has("steering_wheel")) {
         scenario.steering_input = SteeringInput::steering_wheel;
@@ -80,6 +86,23 @@ void read_inputs(const TableReader& inputs, ScenarioDescription& scenario) {
         scenario.steering_input = SteeringInput::rack;
         scenario.steering = read_signal(inputs.table("rack"), "displacement_m", any_number);
     }
+}
+
+// Velocity of the air over the ground.
+void read_wind(const TableReader& table, ScenarioDescription& scenario) {
+    const double direction = table.number("toward_deg", any_number, 0);
+    const SignalDescription speed = read_signal(table, "speed_m_per_s", any_number);
+    scenario.wind_x = scenario.wind_y = speed;
+    for (double& value : scenario.wind_x.value) value *= std::cos(direction);
+    for (double& value : scenario.wind_y.value) value *= std::sin(direction);
+}
+
+ManeuverDescription read_maneuver(const TableReader& table) {
+    ManeuverDescription maneuver{.name = table.text("name"), .settings = {}};
+    if (const auto settings = table.optional_table("settings")) {
+        for (const auto& [key, value] : settings->named_numbers()) maneuver.settings[key] = value;
+    }
+    return maneuver;
 }
 
 OutputDescription read_output(const TableReader& table) {
@@ -127,12 +150,16 @@ ScenarioDescription read_scenario(const TableReader& file) {
     ScenarioDescription scenario;
     scenario.name = file.text("name");
     scenario.vehicle = file.path_to_file("vehicle");
-    scenario.duration = file.number("duration_s", positive);
+    scenario.duration =
+        file.has("maneuver") ? file.number("duration_s", positive, 1) : file.number("duration_s", positive);
     if (const auto table = file.optional_table("solver")) scenario.solver = read_solver(*table);
     if (const auto table = file.optional_table("initial")) scenario.initial = read_initial(*table);
     if (const auto table = file.optional_table("road")) scenario.road = read_road(*table);
     if (const auto table = file.optional_table("course")) scenario.cones = read_cones(*table);
     if (const auto table = file.optional_table("inputs")) read_inputs(*table, scenario);
+    if (const auto table = file.optional_table("wind")) read_wind(*table, scenario);
+    if (const auto table = file.optional_table("driver")) scenario.driver = read_driver(*table);
+    if (const auto table = file.optional_table("maneuver")) scenario.maneuver = read_maneuver(*table);
     if (const auto table = file.optional_table("output")) scenario.output = read_output(*table);
     file.expect(scenario.solver.step <= scenario.duration, "duration_s",
                 "at least one step of " + number_text(scenario.solver.step));

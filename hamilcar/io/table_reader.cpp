@@ -264,6 +264,16 @@ std::vector<std::pair<std::string, TableReader>> TableReader::named_tables(std::
     return result;
 }
 
+std::vector<std::pair<std::string, double>> TableReader::named_numbers() const {
+    if (recorder_) return {{std::string(any_name), number(any_name, any_number)}};
+    std::vector<std::pair<std::string, double>> result;
+    for (const Node& entry : as_table(*node_).entries) {
+        number(entry.key, any_number);  // checks and knows it
+        result.emplace_back(entry.key, std::get<double>(entry.value));
+    }
+    return result;
+}
+
 void TableReader::expect(bool condition, std::string_view key, const std::string& expectation) const {
     if (condition || recorder_) return;
     reject(require(key, expectation), full(key), with_unit(expectation, key));

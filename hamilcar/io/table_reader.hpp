@@ -97,6 +97,8 @@ public:
     std::vector<TableReader> tables(std::string_view key) const;  // of a list with at least one
     // The tables of a table of tables, whatever their keys are: [tire.summer], [tire.winter].
     std::vector<std::pair<std::string, TableReader>> named_tables(std::string_view key) const;
+    // All keys of this table, whatever they are, with their numbers as written; who takes them knows their units.
+    std::vector<std::pair<std::string, double>> named_numbers() const;
 
     // A mistake unless `condition`; `expectation` is a phrase, the unit is added.
     void expect(bool condition, std::string_view key, const std::string& expectation) const;

@@ -2,14 +2,17 @@
 #include "hamilcar/io/vehicle_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <functional>
+#include <numbers>
 
 #include "hamilcar/io/axle_file.hpp"
 #include "hamilcar/io/body_file.hpp"
 #include "hamilcar/io/composed_axle_file.hpp"
 #include "hamilcar/io/mirror.hpp"
+#include "hamilcar/io/name.hpp"
 #include "hamilcar/io/number_text.hpp"
+#include "hamilcar/io/powertrain_file.hpp"
 #include "hamilcar/suspension/compose_corner.hpp"
 #include "hamilcar/vehicle/composed.hpp"
 #include "hamilcar/vehicle/layout.hpp"
@@ -18,17 +21,51 @@ namespace hamilcar::io {
 
 namespace {
 
-double read_drag_area(const TableReader& aerodynamics) {
-    if (aerodynamics.chosen({{"drag_area_m2"}, {"drag_coefficient", "frontal_area_m2"}}) == 0) {
-        return aerodynamics.number("drag_area_m2", not_negative);
-    }
-    return aerodynamics.number("drag_coefficient", not_negative) * aerodynamics.number("frontal_area_m2", not_negative);
+void read_air_areas(const TableReader& table, AerodynamicsDescription& air) {
+    air.drag_area = table.number("drag_area_m2", not_negative);
+    air.lift_area = {table.number("lift_area_front_m2", any_number, 0),
+                     table.number("lift_area_rear_m2", any_number, 0)};
+    if (table.has("side_force_area_m2")) air.side_area = table.number("side_force_area_m2", not_negative);
+    air.yaw_volume = table.number("yaw_moment_volume_m3", any_number, 0);
 }
 
-AerodynamicsDescription read_aerodynamics(const std::optional<TableReader>& table, const BodyDescription& chassis) {
-    if (!table) return {.drag_area = 0, .air_density = 0, .center = chassis.center_of_mass};
-    return {read_drag_area(*table), table->number("air_density_kg_per_m3", not_negative),
-            table->array<3>("center_m", chassis.center_of_mass)};
+void read_air_coefficients(const TableReader& table, AerodynamicsDescription& air) {
+    const double area = table.number("frontal_area_m2", not_negative);
+    air.drag_area = table.number("drag_coefficient", not_negative) * area;
+    air.lift_area = {table.number("lift_coefficient_front", any_number, 0) * area,
+                     table.number("lift_coefficient_rear", any_number, 0) * area};
+    if (table.has("side_force_coefficient")) {
+        air.side_area = table.number("side_force_coefficient", not_negative) * area;
+    }
+    if (table.has("yaw_moment_coefficient")) {
+        const double length = table.number("reference_length_m", positive);
+        air.yaw_volume = table.number("yaw_moment_coefficient", any_number) * area * length;
+    }
+}
+
+// Along x, of the foremost and the rearmost wheels of the motor vehicle.
+std::array<double, 2> end_axles(const VehicleDescription& vehicle) {
+    std::vector<double> places;
+    for_each_wheel(vehicle, [&](const auto& wheel, std::size_t unit) {
+        if (unit == 0) places.push_back(wheel.wheel.center[0]);
+    });
+    return {*std::ranges::max_element(places), *std::ranges::min_element(places)};
+}
+
+AerodynamicsDescription read_aerodynamics(const std::optional<TableReader>& table, const VehicleDescription& vehicle) {
+    AerodynamicsDescription air;
+    air.center = vehicle.chassis.center_of_mass;
+    if (!table) return air;
+    const bool by_coefficients =
+        table->chosen(
+            {{"drag_area_m2", "lift_area_front_m2", "lift_area_rear_m2", "side_force_area_m2", "yaw_moment_volume_m3"},
+             {"drag_coefficient", "frontal_area_m2", "lift_coefficient_front", "lift_coefficient_rear",
+              "side_force_coefficient", "yaw_moment_coefficient", "reference_length_m"}}) == 1;
+    (by_coefficients ? read_air_coefficients : read_air_areas)(*table, air);
+    air.air_density = table->number("air_density_kg_per_m3", not_negative);
+    air.center = table->array<3>("center_m", air.center);
+    air.lift_place = table->array<2>("lift_places_m", end_axles(vehicle));
+    return air;
 }
 
 // Points of the left side; each has its mirror image.
@@ -47,17 +84,22 @@ HullDescription read_hull(const std::optional<TableReader>& table) {
 }
 
 SteeringDescription read_steering(const std::optional<TableReader>& table) {
-    if (!table) return {};
-    return {table->number("rack_m_per_revolution", positive), table->number("rack_travel_m", positive)};
-}
-
-// Names become parts of channel and file names.
-void check_name(const TableReader& table, std::vector<std::string>& taken) {
-    const std::string name = table.text("name");
-    const auto allowed = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
-    table.expect(std::ranges::all_of(name, allowed), "name", "letters, digits and '_' only");
-    table.expect(std::ranges::find(taken, name) == taken.end(), "name", "a name that no other axle or trailer has");
-    taken.push_back(name);
+    SteeringDescription steering;
+    if (!table) return steering;
+    if (table->chosen({{"rack_m_per_revolution"}, {"angle_deg", "rack_m"}}) == 0) {
+        steering.rack_per_revolution = table->number("rack_m_per_revolution", positive);
+    } else {
+        const Samples curve = table->samples("angle_deg", "rack_m", not_negative);
+        table->expect(curve.argument.size() >= 2 && curve.argument[0] == 0, "angle_deg",
+                      "at least two angles, the first of them 0");
+        table->expect(curve.value[0] == 0 &&
+                          std::ranges::adjacent_find(curve.value, std::ranges::greater_equal{}) == curve.value.end(),
+                      "rack_m", "displacements that begin with 0 and increase");
+        steering.angle = curve.argument, steering.rack = curve.value;
+        steering.rack_per_revolution = 2 * std::numbers::pi * curve.value[1] / curve.argument[1];
+    }
+    steering.rack_travel = table->number("rack_travel_m", positive);
+    return steering;
 }
 
 // Both sides of an axle whose suspension has a program of its own. On a trailer, or where a vehicle has more of them than
@@ -92,7 +134,7 @@ std::string_view suspension_of(const TableReader& axle) {
 void read_axles(const TableReader& owner, const NamedTires& tires, std::size_t unit, std::vector<std::string>& names,
                 VehicleDescription& vehicle) {
     for (const TableReader& axle : owner.tables("axle")) {
-        check_name(axle, names);
+        check_name(axle, names, "axle or trailer");
         const std::string_view suspension = suspension_of(axle);
         if (has_own_program(suspension)) {
             read_corners(axle, suspension, tires, unit, vehicle);
@@ -106,7 +148,7 @@ void read_axles(const TableReader& owner, const NamedTires& tires, std::size_t u
 
 void read_trailer(const TableReader& table, const NamedTires& tires, std::vector<std::string>& names,
                   VehicleDescription& vehicle) {
-    check_name(table, names);
+    check_name(table, names, "axle or trailer");
     constexpr std::string_view hitches[] = {"ball", "fifth_wheel"};
     TrailerDescription trailer;
     trailer.name = table.text("name");
@@ -155,9 +197,11 @@ VehicleDescription read_vehicle(const TableReader& file) {
                                .composed = {},
                                .composed_bars = {},
                                .trailers = {},
-                               .aerodynamics = read_aerodynamics(file.optional_table("aerodynamics"), chassis),
+                               .aerodynamics = {},
                                .hull = read_hull(file.optional_table("hull")),
                                .steering = read_steering(file.optional_table("steering")),
+                               .power_units = {},
+                               .differentials = {},
                                .gravity = file.number("gravity_m_per_s2", not_negative, 9.80665)};
     const NamedTires tires = read_tires(file);
     std::vector<std::string> names;
@@ -174,6 +218,12 @@ VehicleDescription read_vehicle(const TableReader& file) {
     file.tables("axle").back().expect(
         driven == 0 || std::abs(driven - 1) < 1e-9, "drive_share",
         "shares of all axles that add up to 1, or to 0 (here " + number_text(driven) + ")");
+    vehicle.aerodynamics = read_aerodynamics(file.optional_table("aerodynamics"), vehicle);
+    read_powertrain(file, vehicle);
+    const std::size_t powertrain = 4 * vehicle.power_units.size() + vehicle.differentials.size() + 1;
+    file.expect(composed_numbers(vehicle) + static_cast<int>(powertrain) <= composed_capacity, "power_unit",
+                "fewer coordinates of suspensions, or fewer power units and differentials: together they hold " +
+                    std::to_string(composed_capacity) + " numbers at most");
     file.finish();
     return vehicle;
 }

@@ -84,8 +84,8 @@ struct BryantSpherical {
         const Mat3<T> R = bryant_rotation(angles).transpose();  // (6)
         const auto& [s3, c3] = angles.z;
         const auto about = [&](const Vec3<T>& axis) { return rotation_about(parent, point, axis, anchor); };
-        using Column = std::decay_t<decltype(about(point))>;
-        return PlacedJoint<T, Column, Column, Column>{
+        using Turning = std::decay_t<decltype(about(point))>;
+        return PlacedJoint<T, Turning, Turning, Turning>{
             turned(parent, R, point),  // -(p x A2 D2 ; A2 D2)  // (15), A.2
             {about(-R.col(0)), about(Vec3<T>(-s3, -c3, T(0))), about(Vec3<T>(T(0), T(0), T(-1)))}};
     }

@@ -62,6 +62,7 @@ class FieldReader {
 public:
     explicit FieldReader(Fields fields) : fields_(std::move(fields)) {}
 
+    bool has(const char* name) const { return fields_.contains(name); }
     bool flag(const char* name) { return take<bool>(name, "true or false").value_or(false); }
     std::string text(const char* name) { return take<std::string>(name, "a text").value_or(""); }
     double number(const char* name, double low, double high) {
@@ -110,11 +111,36 @@ Device read_device(FieldReader& fields) {
     return device == "axes" ? Device::axes : Device::keys;
 }
 
+Selector read_selector(FieldReader& fields) {
+    constexpr std::pair<const char*, Selector> known[] = {{"drive", Selector::drive},
+                                                          {"neutral", Selector::neutral},
+                                                          {"reverse", Selector::reverse},
+                                                          {"manual", Selector::manual}};
+    const std::string word = fields.text("selector");
+    for (const auto& [name, selector] : known) {
+        if (word == name) return selector;
+    }
+    fields.complain("selector", "\"drive\", \"neutral\", \"reverse\" or \"manual\"");
+    return Selector::drive;
+}
+
+// Selector, gear and clutch come together, or not at all.
 ClientMessage read_input(FieldReader& f) {
     InputMessage input;
     input.sequence = f.count("sequence");
-    input.controls = {read_device(f), f.number("steer", -1, 1), f.number("throttle", 0, 1), f.number("brake", 0, 1),
-                      f.flag("reverse")};
+    const bool back = f.flag("reverse");
+    input.controls = {.device = read_device(f),
+                      .steer = f.number("steer", -1, 1),
+                      .throttle = f.number("throttle", 0, 1),
+                      .brake = f.number("brake", 0, 1),
+                      .selector = back ? Selector::reverse : Selector::drive};
+    if (!f.has("selector") && !f.has("gear") && !f.has("clutch")) return input;
+    input.controls.selector = read_selector(f);
+    if (back != (input.controls.selector == Selector::reverse)) f.complain("reverse", "what the selector says");
+    const std::uint32_t gear = f.count("gear");
+    if (gear < 1 || gear > max_gears) f.complain("gear", fmt::format("a gear from 1 to {}", max_gears));
+    input.controls.gear = static_cast<int>(gear);
+    input.controls.clutch = f.number("clutch", 0, 1);
     return input;
 }
 

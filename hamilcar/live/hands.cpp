@@ -17,7 +17,7 @@ struct Agility {
 constexpr Agility on_keys{400 * degree, 2.5}, on_axes{1500 * degree, 10};
 constexpr double quickness = 30;                            // natural frequency of the arms [1/s]
 constexpr double hardest_turn = quickness * on_axes.speed;  // acceleration of the steering wheel [rad/s^2]
-constexpr double release = 10, foot_lag = 0.03;             // of a foot that lifts [1/s]; of any [s]
+constexpr double release = 10, foot_lag = 0.03;             // of a foot that lifts, or is on a clutch [1/s]; of any [s]
 
 constexpr double lateral_acceleration = 0.8 * 9.80665;  // that keys ask for at most [m/s^2]
 constexpr double traction = 4, power = 45;              // of the whole mass [m/s^2], [W/kg]
@@ -32,20 +32,43 @@ double press(double pedal, double wanted, double rate, double step) {
 
 }  // namespace
 
-Hands::Hands(const HandledCar& car, double step) : car_(car), step_(step) {}
+Hands::Hands(const DrivenCar& car, const Column& column, double shaft_ratio, double step)
+    : car_(car), column_(column), side_(car.wheels_per_angle < 0 ? -1 : 1), step_(step) {
+    if (car.powered) lever_.emplace(car, shaft_ratio, step);
+}
+
+void Hands::let_go() {
+    now_ = {};
+    if (lever_) lever_->let_go();
+}
+
+void Hands::shift(const Controls& held, const Senses& senses, int steps) {
+    if (lever_) lever_->look(held, now_.throttle, senses, steps);
+}
 
 Input<double> Hands::next(const Controls& held, const Felt& felt, double time) {
     const Agility& agility = held.device == Device::keys ? on_keys : on_axes;
-    if (std::abs(felt.speed) < shifting_speed) reverse_ = held.reverse;
-    const bool engaged = reverse_ == held.reverse;  // nobody shifts into reverse at speed
-    throttle_ = press(throttle_, engaged ? held.throttle : 0, agility.pedal, step_);
-    brake_ = press(brake_, held.brake, agility.pedal, step_);
-    Input<double> input{.rack = {car_.rack_per_angle * angle_, car_.rack_per_angle * rate_, 0},
-                        .drive_torque = drive_torque(felt),
-                        .brake = brake_,
-                        .time = time};
-    input.rack.acceleration = car_.rack_per_angle * turn_wheel(held, felt.speed);
+    const bool back = held.selector == Selector::reverse;
+    if (std::abs(felt.speed) < shifting_speed) now_.reverse = back;
+    const bool engaged = lever_ || now_.reverse == back;  // nobody shifts into reverse at speed
+    now_.throttle = press(now_.throttle, engaged ? held.throttle : 0, agility.pedal, step_);
+    now_.brake = press(now_.brake, held.brake, agility.pedal, step_);
+    now_.clutch = press(now_.clutch, held.clutch, release, step_);
+    Input<double> input{.rack = turn_rack(held, felt.speed), .brake = now_.brake, .time = time};
+    if (lever_) {
+        const GearLever::Position lever = lever_->next(now_.clutch, now_.throttle);
+        input.throttle = lever.throttle, input.clutch = lever.clutch, input.gear = lever.gear;
+    } else {
+        input.drive_torque = drive_torque(felt);
+    }
     return input;
+}
+
+RackMotion<double> Hands::turn_rack(const Controls& held, double speed) {
+    SignalValue<double> angle{side_ * now_.angle, side_ * now_.rate, 0};
+    angle.acceleration = side_ * turn_wheel(held, speed);
+    const SignalValue<double> rack = column_.rack_motion(angle);
+    return {rack.value, rack.rate, rack.acceleration};
 }
 
 // Over the step, at an acceleration that is returned: the spring's a = w^2 (wanted - angle) - 2 w rate with both as they
@@ -53,33 +76,35 @@ Input<double> Hands::next(const Controls& held, const Felt& felt, double time) {
 // wheel never turns past the lock; to keep that it brakes by w rate at most, which the bound on the acceleration allows.
 double Hands::turn_wheel(const Controls& held, double speed) {
     const Agility& agility = held.device == Device::keys ? on_keys : on_axes;
+    double &angle = now_.angle, &rate = now_.rate;
     const double w = quickness, h = step_;
     const double wanted = held.steer * reach(held.device, speed);
-    const double free = (w * w * (wanted - angle_ - h * rate_) - 2 * w * rate_) / ((1 + w * h) * (1 + w * h));
-    const double half_way = angle_ + 0.5 * h * rate_, braking = w / (1 + 0.5 * w * h);
-    const double next = std::clamp(rate_ + h * free, std::max(-agility.speed, -braking * (car_.lock + half_way)),
+    const double free = (w * w * (wanted - angle - h * rate) - 2 * w * rate) / ((1 + w * h) * (1 + w * h));
+    const double half_way = angle + 0.5 * h * rate, braking = w / (1 + 0.5 * w * h);
+    const double next = std::clamp(rate + h * free, std::max(-agility.speed, -braking * (car_.lock + half_way)),
                                    std::min(agility.speed, braking * (car_.lock - half_way)));
-    const double acceleration = std::clamp((next - rate_) / h, -hardest_turn, hardest_turn);
-    angle_ += h * rate_ + 0.5 * h * h * acceleration;
-    rate_ += h * acceleration;
+    const double acceleration = std::clamp((next - rate) / h, -hardest_turn, hardest_turn);
+    angle += h * rate + 0.5 * h * h * acceleration;
+    rate += h * acceleration;
     return acceleration;
 }
 
 // Keys: the angle that asks for a lateral acceleration a = v^2 / (wheelbase / steer) of a car without slip.
 double Hands::reach(Device device, double speed) const {
-    if (device == Device::axes || car_.wheels_per_angle <= 0) return car_.lock;
+    if (device == Device::axes || car_.wheels_per_angle == 0) return car_.lock;
     const double steer = lateral_acceleration * car_.wheelbase / std::max(speed * speed, 1e-3);
-    return std::min(car_.lock, steer / car_.wheels_per_angle);
+    return std::min(car_.lock, steer / std::abs(car_.wheels_per_angle));
 }
 
-// What the tires or the engine can do, whichever is less; until a driveline takes over, every engine is the same for its car.
+// For a car without power units: what the tires or an engine could do, whichever is less; every engine is the same for its
+// car.
 double Hands::drive_torque(const Felt& felt) const {
-    const double direction = reverse_ ? -1 : 1;
+    const double direction = now_.reverse ? -1 : 1;
     const double r = car_.wheel_radius, spin = direction * felt.spin;
     if (r <= 0) return 0;
-    const double top = (reverse_ ? reverse_speed : top_speed) / r;
+    const double top = (now_.reverse ? reverse_speed : top_speed) / r;
     const double strongest = std::min(traction * r, power / std::max(spin, 1e-3)) * car_.mass;
-    return direction * throttle_ * strongest * std::clamp((top - spin) / (fading * top), 0.0, 1.0);
+    return direction * now_.throttle * strongest * std::clamp((top - spin) / (fading * top), 0.0, 1.0);
 }
 
 }  // namespace hamilcar::live

@@ -1,35 +1,18 @@
-// From what a person holds, keys or axes, to what hands and feet do: rack, drive and brake from step to step.
+// From what a person holds, keys or axes, to what hands and feet do: rack, pedals and gears from step to step.
 //
 // A key is either down or up, but no hand moves like that, and a rack whose rate jumps would hit the car with an impulse.
 // The hands turn the steering wheel to the wanted angle as a critically damped spring would, at bounded speed and
-// acceleration. Within a step the acceleration is constant, so displacement and rate continue each other exactly. Keys
+// acceleration. Within a step the acceleration is constant, so displacement and rate continue each other. Keys
 // reach only as far as a calm driver would at that speed, axes reach the stops.
 #pragma once
 
+#include <optional>
+
 #include "hamilcar/block/model.hpp"
+#include "hamilcar/live/gear_lever.hpp"
+#include "hamilcar/steering/column.hpp"
 
 namespace hamilcar::live {
-
-enum class Device { keys, axes };
-
-// What a person holds; the range of each is checked where it is received.
-struct Controls {
-    Device device = Device::keys;
-    double steer = 0;     // -1 full right to 1 full left
-    double throttle = 0;  // 0 to 1
-    double brake = 0;     // 0 to 1
-    bool reverse = false;
-};
-
-// What hands need to know of the car that they drive.
-struct HandledCar {
-    double lock = 0;              // of the steering wheel, each way; 0: nothing to steer [rad]
-    double rack_per_angle = 0;    // signed so that a positive angle steers to the left [m/rad]
-    double wheels_per_angle = 0;  // by how much the steered wheels turn, near straight ahead [1]
-    double wheelbase = 1;         // [m]
-    double mass = 0;              // of everything [kg]
-    double wheel_radius = 0;      // of the driven wheels; 0: there are none [m]
-};
 
 // What a driver feels of the car.
 struct Felt {
@@ -39,22 +22,33 @@ struct Felt {
 
 class Hands {
 public:
-    Hands(const HandledCar& car, double step);
+    // `shaft_ratio`: of a car with power units (gear_lever.hpp) [1].
+    Hands(const DrivenCar& car, const Column& column, double shaft_ratio, double step);
 
+    // Decides about the gears for the coming `steps`; for a car with power units.
+    void shift(const Controls& held, const Senses& senses, int steps);
     // The driver from `time` on, for one step.
     Input<double> next(const Controls& held, const Felt& felt, double time);
-    void let_go() { *this = Hands(car_, step_); }
+    void let_go();
 
 private:
+    RackMotion<double> turn_rack(const Controls& held, double speed);
     double turn_wheel(const Controls& held, double speed);
     double reach(Device device, double speed) const;
     double drive_torque(const Felt& felt) const;
 
-    HandledCar car_;
-    double step_;                      // [s]
-    double angle_ = 0, rate_ = 0;      // of the steering wheel [rad], [rad/s]
-    double throttle_ = 0, brake_ = 0;  // pedals [1]
-    bool reverse_ = false;             // the gear that is in
+    DrivenCar car_;
+    Column column_;
+    double side_;  // 1: a positive rack steers to the left; otherwise -1
+    double step_;  // [s]
+    std::optional<GearLever> lever_;
+
+    struct Now {
+        double angle = 0, rate = 0;                  // of the steering wheel, to the left [rad], [rad/s]
+        double throttle = 0, brake = 0, clutch = 0;  // feet on pedals [1]
+        bool reverse = false;                        // the way that a mere torque drives
+    };
+    Now now_;
 };
 
 }  // namespace hamilcar::live

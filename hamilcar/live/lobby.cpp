@@ -32,6 +32,7 @@ std::uint32_t Lobby::enter(Page& page) {
     if (driver_ == 0) take_wheel(number);
     page.tell(status_for(guest));
     if (frame_) page.show(frame_);
+    if (result_) page.tell(result_);
     return number;
 }
 
@@ -105,7 +106,7 @@ void Lobby::attend() {
     session_.bell().silence();
     if (session_.attend()) {
         car_ = message(car_message(session_.ride()));
-        frame_ = nullptr;
+        frame_ = result_ = nullptr;
         tiles_.clear();
         for (auto& [number, guest] : guests_) {
             guest.tiles.clear();
@@ -117,6 +118,17 @@ void Lobby::attend() {
     if (!ride.frames().fetch()) return;
     frame_ = message(frame_message(ride.number(), ride.frames().value()));
     for (auto& [number, guest] : guests_) guest.page->show(frame_);
+    tell_result();
+}
+
+// Once, and not again before the car has been back at its start.
+void Lobby::tell_result() {
+    Ride& ride = session_.ride();
+    const CourseRun& run = ride.frames().value().run;
+    if (!run.over) result_ = nullptr;
+    if (!run.over || result_) return;
+    result_ = message(result_message(*ride.course(), run));
+    for (auto& [number, guest] : guests_) guest.page->tell(result_);
 }
 
 void Lobby::hand_out_tiles() {

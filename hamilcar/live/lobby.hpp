@@ -53,13 +53,14 @@ private:
     void heed(std::uint32_t number, const ClientMessage& message);
     void wish(std::uint32_t number, const ClientMessage& message);
     void load(std::uint32_t number, const Wish& wish);
+    void tell_result();
     void refuse(std::uint32_t number, std::string_view why);
     Message status_for(const Guest& guest);
 
     Session& session_;
     std::map<std::uint32_t, Guest> guests_;
     std::uint32_t last_number_ = 0, driver_ = 0;
-    Message car_, frame_;  // for a page that comes later
+    Message car_, frame_, result_;  // for a page that comes later
     Tiles tiles_;
 };
 

@@ -52,6 +52,7 @@ struct Attendance {
 
 std::string hello_message(std::uint32_t page, const Garage& garage);
 std::string car_message(const Ride& ride);
+std::string result_message(const TestCourse& course, const CourseRun& run);
 std::string status_message(const Attendance& attendance, const Progress& progress, const RecordingStatus& recording,
                            long lost_frames);
 std::string refusal_message(std::string_view message);

@@ -35,7 +35,7 @@ std::unique_ptr<io::ResultWriter> open(const std::string& path, const Ride& ride
                                        const std::vector<std::size_t>& chosen) {
     std::vector<io::Column> columns;
     for (const std::size_t i : chosen) columns.push_back(ride.channels()[i].column);
-    return io::open_netcdf(path, columns, ride.vehicle_name(), {{io::scene_attribute, ride.scene()}});
+    return io::open_netcdf(path, columns, ride.vehicle().name, {{io::scene_attribute, ride.scene()}});
 }
 
 // As part of a file's name: letters, digits, '-' and '_'.

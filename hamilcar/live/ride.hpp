@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "hamilcar/live/course_judge.hpp"
 #include "hamilcar/live/hands.hpp"
 #include "hamilcar/live/newest.hpp"
 #include "hamilcar/run/channels.hpp"
@@ -34,21 +35,25 @@ struct Frame {
     std::uint32_t page = 0, sequence = 0;
     double x = 0, y = 0;        // of the vehicle's origin, ground axes [m]
     std::vector<float> values;  // of every channel
+    CourseRun run;              // through the course, where there is one
 };
 
 class Ride {
 public:
-    // The scenario gives start, road and solver; its inputs and duration give way to the person. Throws as Simulation does.
-    Ride(std::uint32_t number, const Wish& wish, const VehicleDescription& vehicle, ScenarioDescription scenario);
+    // The scenario gives start, road and solver; its inputs and duration give way to the person, its start to a course's.
+    // Vehicles with power units drive by these. Throws as Simulation and CourseJudge do.
+    Ride(std::uint32_t number, const Wish& wish, const VehicleDescription& vehicle, ScenarioDescription scenario,
+         std::optional<TestCourse> course = {});
 
     // What never changes, for any thread.
     std::uint32_t number() const { return number_; }
     const Wish& wish() const { return wish_; }
     const std::vector<Channel>& channels() const { return channels_; }
     const std::string& scene() const { return scene_; }  // JSON
-    double lock() const { return car_.lock; }            // of the steering wheel, each way [rad]
+    const DrivenCar& car() const { return simulation_.driven_car(); }
+    const TestCourse* course() const { return judge_ ? &judge_->course() : nullptr; }
     double step() const { return simulation_.scenario().solver.step; }
-    const std::string& vehicle_name() const { return simulation_.vehicle().name; }
+    const VehicleDescription& vehicle() const { return simulation_.vehicle(); }
     const PlaneRoad<double>& road() const { return simulation_.model().road; }
     const Surface* surface() const { return simulation_.surface().get(); }
     bool uneven() const { return simulation_.scenario().road.is_uneven(); }
@@ -67,10 +72,14 @@ public:
     Newest<Frame>& frames() { return frames_; }
 
 private:
+    bool is_time(double interval) const { return steps_taken() % steps_in(interval) == 0; }
+    double shaft_ratio();
+    void obey(const Input<double>& now);
+
     std::uint32_t number_;
     Wish wish_;
+    std::optional<CourseJudge> judge_;
     Simulation simulation_;
-    HandledCar car_;
     Hands hands_;
     Felt felt_;
     std::vector<Channel> channels_;

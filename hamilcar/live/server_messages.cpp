@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "hamilcar/live/course_result.hpp"
 #include "hamilcar/live/messages.hpp"
 
 namespace hamilcar::live {
@@ -33,6 +35,41 @@ const char* word(Pause pause) {
         case Pause::ended: return "ended";
         default: return "";
     }
+}
+
+// Up to the highest speed at which an engine still pulls at full load.
+double most_speed(const PowerUnitDescription& unit) {
+    if (const auto* motor = std::get_if<MotorDescription>(&unit.source)) return motor->max_speed;
+    const TorqueCurve& full = std::get<EngineDescription>(unit.source).torque.back();
+    const auto last = std::ranges::find_if(full.torque.rbegin(), full.torque.rend(), [](double t) { return t > 0; });
+    return last == full.torque.rend() ? full.speed.back() : *(full.speed.rbegin() + (last - full.torque.rbegin()));
+}
+
+json driveline(const Ride& ride) {
+    const DrivenCar& car = ride.car();
+    if (!car.powered) return nullptr;
+    constexpr double rpm = 30 / std::numbers::pi;  // per rad/s
+    json units = json::array();
+    for (const PowerUnitDescription& unit : ride.vehicle().power_units) {
+        const auto* engine = std::get_if<EngineDescription>(&unit.source);
+        units.push_back(
+            {{"name", unit.name}, {"idle", engine ? rpm * engine->idle_speed : 0.0}, {"most", rpm * most_speed(unit)}});
+    }
+    return {{"units", std::move(units)},
+            {"gears", car.gears},
+            {"reverse", car.has_reverse},
+            {"clutch", car.has_clutch},
+            {"automatic", car.gearbox.automatic}};
+}
+
+json course_of(const Ride& ride) {
+    const TestCourse* test = ride.course();
+    if (!test) return nullptr;
+    json boundaries = json::array();
+    for (const auto& [from, to] : test->course.boundaries) boundaries.push_back({from[0], from[1], to[0], to[1]});
+    return {{"id", test->id},           {"name", test->name},          {"title", test->title},
+            {"summary", test->summary}, {"cones", test->course.cones}, {"boundaries", std::move(boundaries)},
+            {"line", test->course.line}};
 }
 
 class Bytes {
@@ -75,10 +112,32 @@ std::string car_message(const Ride& ride) {
                                 {"vehicle", ride.wish().vehicle},
                                 {"road", ride.wish().road},
                                 {"friction", ride.wish().friction},
-                                {"steering_lock_deg", ride.lock() * 180 / std::numbers::pi},
-                                {"channels", std::move(channels)}});
+                                {"steering_lock_deg", ride.car().lock * 180 / std::numbers::pi},
+                                {"channels", std::move(channels)},
+                                {"driveline", driveline(ride)},
+                                {"course", course_of(ride)}});
     text.back() = ',';  // the scene is JSON already
     return text + "\"scene\":" + ride.scene() + "}";
+}
+
+// What the run did not show is no number, which JSON knows as null.
+std::string result_message(const TestCourse& course, const CourseRun& run) {
+    const CourseResult result = course_result(course.course, run);
+    json values = json::array(), verdicts = json::array();
+    for (const Figure& figure : result.values) {
+        values.push_back(
+            {{"name", figure.name}, {"unit", figure.unit}, {"value", figure.value}, {"meaning", figure.meaning}});
+    }
+    for (const Verdict& verdict : result.verdicts) {
+        verdicts.push_back({{"criterion", verdict.criterion}, {"passed", verdict.passed}, {"found", verdict.found}});
+    }
+    return text_of({{"type", "result"},
+                    {"course", course.id},
+                    {"finished", result.finished},
+                    {"passed", result.passed ? json(*result.passed) : json()},
+                    {"values", std::move(values)},
+                    {"verdicts", std::move(verdicts)},
+                    {"time", result.time}});
 }
 
 std::string status_message(const Attendance& attendance, const Progress& progress, const RecordingStatus& recording,

@@ -72,7 +72,9 @@ void Session::send_for(std::function<std::function<void()>()> job) {
 
 std::shared_ptr<Ride> Session::build(const Wish& wish, std::uint32_t number) const {
     auto [vehicle, scenario] = garage_.open(wish);
-    return std::make_shared<Ride>(number, wish, vehicle, std::move(scenario));
+    std::optional<TestCourse> course;
+    if (garage_.course) course = garage_.course(wish.road, vehicle);
+    return std::make_shared<Ride>(number, wish, vehicle, std::move(scenario), std::move(course));
 }
 
 void Session::make_next() {

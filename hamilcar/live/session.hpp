@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,11 +23,13 @@ struct Choice {
     std::string name;  // for people
 };
 
-// What can be driven, and where. `open` reads the files of a wish, of which it need not look at the friction; it is called
-// on any thread, by one at a time, and throws io::Error.
+// What can be driven, and where. `open` reads the files of a wish, of which it need not look at the friction; `course`, which
+// may be left out, tells what that vehicle is to drive through on a road, where there is something. Both are called on any
+// thread, by one at a time, and throw io::Error.
 struct Garage {
     std::vector<Choice> vehicles, roads;
     std::function<std::pair<VehicleDescription, ScenarioDescription>(const Wish&)> open;
+    std::function<std::optional<TestCourse>(const std::string& road, const VehicleDescription&)> course = {};
 };
 
 // Why a page's wish was not granted.

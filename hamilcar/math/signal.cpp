@@ -26,6 +26,14 @@ Signal::Signal(const SignalDescription& d, double scale) {
     std::vector<double> value = d.value;
     for (double& number : value) number *= scale;
     const bool smooth = d.interpolation == Interpolation::smooth;
+    if (d.interpolation == Interpolation::steps) {
+        spans_.clear();
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            const double end = i + 1 < value.size() ? d.time[i + 1] : forever;
+            spans_.push_back({{.y0 = value[i]}, i == 0 ? -forever : d.time[i], end});
+        }
+        return;
+    }
     const std::vector<double> slope = smooth ? monotone_slopes(d.time, value) : std::vector<double>();
     spans_ = {Span{{.y0 = value.front()}, -forever, d.time.front()}};
     for (std::size_t i = 0; i + 1 < d.time.size(); ++i) {
@@ -41,13 +49,12 @@ Signal::Signal(const SignalDescription& d, double scale) {
 }
 
 void Signal::follow(double time, const SignalValue<double>& now, double scale) {
-    spans_.resize(1);
-    spans_[0] = {{.inverse_duration = 1 / scale,
-                  .y0 = now.value,
-                  .a = now.rate * scale,
-                  .b = 0.5 * now.acceleration * (scale * scale)},
-                 time,
-                 forever};
+    follow(Span{{.inverse_duration = 1 / scale,
+                 .y0 = now.value,
+                 .a = now.rate * scale,
+                 .b = 0.5 * now.acceleration * (scale * scale)},
+                time,
+                forever});
 }
 
 }  // namespace hamilcar

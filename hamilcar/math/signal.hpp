@@ -45,6 +45,14 @@ public:
         double begin, end;  // [s]
         double start() const { return piece.inverse_duration == 0 ? 0 : begin; }
     };
+    // For going back: what is followed, and doing so again. A signal that follows nobody has nothing to remember.
+    bool follows() const { return follows_; }
+    const Span& followed() const { return spans_[0]; }
+    void follow(const Span& span) {
+        spans_.resize(1);
+        spans_[0] = span;
+        follows_ = true;
+    }
 
     SignalValue<double> at(double time) const {
         const Span& span = piece_at(time);
@@ -64,6 +72,7 @@ public:
 private:
     static constexpr double forever = std::numeric_limits<double>::infinity();
     std::vector<Span> spans_{Span{{}, -forever, forever}};
+    bool follows_ = false;
 };
 
 }  // namespace hamilcar

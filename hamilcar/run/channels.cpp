@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <numbers>
 
+#include "hamilcar/analysis/rack_force.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/spelling.hpp"
 #include "hamilcar/run/motion_channels.hpp"
+#include "hamilcar/run/powertrain_channels.hpp"
 #include "hamilcar/run/suspension_channels.hpp"
+#include "hamilcar/steering/column.hpp"
 
 namespace hamilcar {
 
@@ -87,10 +90,15 @@ void add_car_channels(const VehicleDescription& vehicle, std::vector<Channel>& l
     };
     add(
         "input.rack", "m", "rack displacement (q17)", [](const Sample& s) { return s.input.rack.displacement; }, true);
-    if (const double travel = vehicle.steering.rack_per_revolution; travel > 0) {
+    if (const Column column(vehicle.steering); column.exists()) {
         add(
             "input.steering_wheel", "deg", "of the steering wheel, to the left positive",
-            [travel](const Sample& s) { return 360 * s.input.rack.displacement / travel; }, true);
+            [column](const Sample& s) { return degree * column.angle(s.input.rack.displacement); }, true);
+        add("input.steering_torque", "N m", "that the driver applies, without power assist; to the left positive",
+            [column](const Sample& s) {
+                return steering_torque(column, s.input.rack.displacement,
+                                       rack_force(s.model, s.state, s.input, s.velocity, s.momenta));
+            });
     }
     add(
         "input.drive_torque", "N m", "at the driven wheels together",
@@ -130,6 +138,7 @@ std::vector<Channel> all_channels(const VehicleDescription& vehicle) {
     std::vector<Channel> list;
     add_chassis_channels(list);
     add_car_channels(vehicle, list);
+    add_powertrain_channels(vehicle, list);
     add_suspension_channels(vehicle, list);
     add_motion_channels(vehicle, list);
     return list;

@@ -8,11 +8,16 @@ namespace hamilcar {
 // However rare the rows, Ctrl-C is seen after this many steps.
 constexpr long steps_between_looks = 1000;
 
+long steps_per_row(const Simulation& simulation, double interval) {
+    return std::max(1L, std::lround(interval / simulation.scenario().solver.step));
+}
+
 RunSummary record(Simulation& simulation, const std::vector<Channel>& channels, double interval, const OnRow& on_row,
-                  const KeepGoing& keep_going) {
+                  const KeepGoing& keep_going, RunSummary summary) {
     const auto began = std::chrono::steady_clock::now();
-    const long every = std::max(1L, std::lround(interval / simulation.scenario().solver.step));
-    RunSummary summary;
+    const double wall_time_before = summary.wall_time;
+    const long every = steps_per_row(simulation, interval);
+    summary.ended_early.reset();
     std::vector<double> row(channels.size());
     const auto write_row = [&] {
         const Sample sample = simulation.sample();
@@ -23,19 +28,21 @@ RunSummary record(Simulation& simulation, const std::vector<Channel>& channels, 
         summary.worst_energy_drift = std::isnan(drift) ? drift : std::max(summary.worst_energy_drift, drift);
         on_row(sample, row);
     };
-    write_row();
-    bool last_written = true;
+    bool last_written = simulation.steps_taken() % every == 0;
+    if (last_written) write_row();
     while (!simulation.finished()) {
         if (auto end = simulation.advance()) {
             summary.ended_early = end->message;
             break;
         }
+        if (simulation.ending()) break;  // at the state of before
         last_written = simulation.steps_taken() % every == 0;
         if (last_written) write_row();
         if (!last_written && simulation.steps_taken() % steps_between_looks != 0) continue;
         const double share =
             static_cast<double>(simulation.steps_taken()) / static_cast<double>(simulation.total_steps());
-        if (!keep_going(share)) {
+        summary.duration = simulation.time(), summary.steps = simulation.steps_taken();
+        if (!keep_going(share, summary)) {
             summary.interrupted = true;
             break;
         }
@@ -43,7 +50,8 @@ RunSummary record(Simulation& simulation, const std::vector<Channel>& channels, 
     if (!last_written) write_row();
     summary.duration = simulation.time();
     summary.steps = simulation.steps_taken();
-    summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    summary.wall_time =
+        wall_time_before + std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     return summary;
 }
 

@@ -22,13 +22,15 @@ struct RunSummary {
     double real_time_factor() const { return wall_time > 0 ? duration / wall_time : 0; }
 };
 
-// Called now and then with the share done; false ends the run.
-using KeepGoing = std::function<bool(double share)>;
+// Called now and then between two steps, with the share done and the summary so far; false ends the run.
+using KeepGoing = std::function<bool(double share, const RunSummary& so_far)>;
 // Called with every sample that is recorded and the values of the channels.
 using OnRow = std::function<void(const Sample&, const std::vector<double>&)>;
 
-// `interval` between rows [s]; zero records every step. The start and the last state are always recorded.
+// `interval` between rows [s]; zero records every step. The start and the last state are always recorded. A run that is
+// gone on with brings the summary of its first part; its start is recorded where a row is due.
 RunSummary record(Simulation& simulation, const std::vector<Channel>& channels, double interval, const OnRow& on_row,
-                  const KeepGoing& keep_going);
+                  const KeepGoing& keep_going, RunSummary summary = {});
+long steps_per_row(const Simulation& simulation, double interval);
 
 }  // namespace hamilcar

@@ -5,36 +5,33 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "hamilcar/analysis/loops.hpp"
 #include "hamilcar/engine/library.hpp"
 #include "hamilcar/integrator/stabilization.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/math/convert.hpp"
+#include "hamilcar/run/driven_car.hpp"
+#include "hamilcar/run/scenario_checks.hpp"
+#include "hamilcar/run/starting_ground.hpp"
 
 namespace hamilcar {
 
 namespace {
-
-// A mistake at a key of the scenario; the message goes on after the key's name.
-[[noreturn]] void reject(const std::string& key, const std::string& message) {
-    throw io::Error(io::ExitCode::bad_file, fmt::format("key '{}'{}", key, message), key);
-}
 
 const Method& require_method(const SolverDescription& solver) {
     const Method* method = find_method(solver.integrator);
     if (method) return *method;
     std::string known;
     for (const Method& m : methods) known += (known.empty() ? "" : ", ") + std::string(m.name);
-    reject("solver.integrator", fmt::format(" = \"{}\": expected one of {}", solver.integrator, known));
+    reject_key("solver.integrator", fmt::format(" = \"{}\": expected one of {}", solver.integrator, known));
 }
 
 double require_gain(const SolverDescription& solver) {
     require_method(solver);
     const GainChoice choice = stabilization_gain(solver);
     if (choice.expectation.empty()) return choice.gain;
-    reject("solver.stabilization_gain_per_s", fmt::format(" = {:g}: expected {}", choice.gain, choice.expectation));
+    reject_key("solver.stabilization_gain_per_s", fmt::format(" = {:g}: expected {}", choice.gain, choice.expectation));
 }
 
 Model<double> make_model(const VehicleDescription& vehicle, const ScenarioDescription& scenario,
@@ -48,88 +45,10 @@ Model<double> make_model(const VehicleDescription& vehicle, const ScenarioDescri
             .energy_balance = scenario.solver.energy_balance};
 }
 
-// An input that nothing in the car listens to is a mistake in the scenario or in the vehicle.
-void check_inputs(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
-    if (scenario.steering_input == SteeringInput::steering_wheel && vehicle.steering.rack_per_revolution <= 0) {
-        reject("inputs.steering_wheel",
-               fmt::format(": {} has no [steering]; expected rack_m_per_revolution there, or inputs.rack here",
-                           vehicle.name));
-    }
-    const double driven = driven_share(vehicle);
-    for (const double torque : scenario.drive.value) {
-        if (torque == 0 || driven > 0) continue;
-        reject("inputs.drive",
-               fmt::format(" asks for {:g} N m, but no axle of {} is driven; expected a drive_share there", torque,
-                           vehicle.name));
-    }
-}
-
-// A post that stands under no wheel is a mistake in the scenario.
-void check_posts(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
-    std::size_t wheels = 0;
-    for_each_wheel(vehicle, [&](const auto&, std::size_t) { ++wheels; });
-    const std::size_t posts = scenario.road.posts.height.size();
-    if (posts <= wheels) return;
-    reject("road.posts.wheel", fmt::format(": {} posts for the {} wheels of {}", posts, wheels, vehicle.name));
-}
-
-// The rack ends at its stops; a schedule that asks for more is a mistake, not a wish.
-void check_rack(const ScenarioDescription& scenario, const SteeringDescription& steering) {
-    if (scenario.steering_input == SteeringInput::none || steering.rack_travel <= 0) return;
-    const bool wheel = scenario.steering_input == SteeringInput::steering_wheel;
-    const double scale = wheel ? steering.rack_per_revolution / (2 * std::numbers::pi) : 1.0;
-    for (std::size_t i = 0; i < scenario.steering.value.size(); ++i) {
-        const double rack = scale * scenario.steering.value[i];
-        if (std::abs(rack) <= steering.rack_travel) continue;
-        reject(wheel ? "inputs.steering_wheel" : "inputs.rack",
-               fmt::format(" at t = {:g} s: the rack would stand at {:.4g}, expected within -{} to {} [m]",
-                           scenario.steering.time[i], rack, steering.rack_travel, steering.rack_travel));
-    }
-}
-
-// Chassis axes along the ground: z the normal, x the heading laid into the plane.
-Mat3<double> heading_on(const Vec3<double>& normal, double yaw) {
-    const Vec3<double> ahead(std::cos(yaw), std::sin(yaw), 0);
-    Mat3<double> R;
-    R.col(2) = normal;
-    R.col(1) = normal.cross(ahead).normalized();
-    R.col(0) = R.col(1).cross(R.col(2));
-    return R;
-}
-
-// Where a vehicle starts: the plane through the ground under its wheels, by least squares.
-struct StartingGround {
-    Vec3<double> normal;
-    double height;  // at the vehicle's origin [m]
-};
-
-StartingGround starting_ground(const Model<double>& model, const VehicleDescription& vehicle,
-                               const InitialDescription& initial) {
-    const Vec3<double>& n = model.road.normal;
-    const double x = initial.position[0], y = initial.position[1], c = std::cos(initial.yaw), s = std::sin(initial.yaw);
-    const double foot = -(n[0] * x + n[1] * y) / n[2];
-    const Surface* surface = model.surface.lanes[0];
-    if (!surface) return {n, foot};
-    Mat3<double> A = Mat3<double>::Zero();
-    Vec3<double> b = Vec3<double>::Zero();
-    int number = 0;
-    for_each_wheel(vehicle, [&](const auto& wheel, std::size_t) {
-        const Point& center = wheel.wheel.center;
-        const double dx = c * center[0] - s * center[1], dy = s * center[0] + c * center[1];
-        const Vec3<double> row(1, dx, dy);
-        A += row * row.transpose();
-        b +=
-            row * (surface->height(x + dx, y + dy) - (n[0] * dx + n[1] * dy) / n[2] + surface->post(number++, 0).value);
-    });
-    const Vec3<double> plane = A.inverse() * b;                        // height above the foot: p0 + p1 dx + p2 dy
-    if (!plane.allFinite()) return {n, foot + surface->height(x, y)};  // wheels in one line
-    return {Vec3<double>(-plane[1], -plane[2], 1).normalized(), foot + plane[0]};
-}
-
 }  // namespace
 
 Simulation::Simulation(VehicleDescription vehicle, ScenarioDescription scenario)
-    : vehicle_(std::move(vehicle)),
+    : vehicle_(as_driven(std::move(vehicle), scenario)),
       scenario_(std::move(scenario)),
       surface_(make_surface(scenario_.road)),
       model_(make_model(vehicle_, scenario_, surface_.get())),
@@ -138,9 +57,6 @@ Simulation::Simulation(VehicleDescription vehicle, ScenarioDescription scenario)
       integrator_(require_method(scenario_.solver), scenario_.solver.step, model_.vehicle.state_size,
                   scenario_.solver.tolerance),
       total_steps_(std::lround(scenario_.duration / scenario_.solver.step)) {
-    check_inputs(scenario_, vehicle_);
-    check_posts(scenario_, vehicle_);
-    check_rack(scenario_, vehicle_.steering);
     start();
 }
 
@@ -175,13 +91,37 @@ void Simulation::start() {
         }
     }
     set_velocities(model_, input, spatial<double>(vec3(initial.velocity), vec3(initial.angular_velocity)), state_);
+    set_rotors(model_, input, state_);
+    start_driver();
     last_good_ = state_;
     const std::string problem = inspect(velocity_block(model_, state_, input).health);
     if (!problem.empty()) throw io::Error(io::ExitCode::numerical, "at the start: " + problem);
     initial_balance_ = sample().energy.balance();
 }
 
+// His first decision comes before the run: the gear that is in is the one that the engine turns with.
+void Simulation::start_driver() {
+    car_ = hamilcar::driven_car(vehicle_, model_, state_);
+    const DriverDescription& described = scenario_.driver;
+    try {
+        driver_.emplace(described, car_, Column(vehicle_.steering));
+    } catch (const std::invalid_argument& mistake) {
+        reject_key("driver", fmt::format(": {}", mistake.what()));
+    }
+    if (!driver_->acts()) return driver_.reset();
+    steps_per_decision_ = std::max(1L, std::lround(described.interval / integrator_.step()));
+    driver_->begin(schedule_);
+    for (int round = 0; round < 2; ++round) {  // a gear is chosen by speeds that a gear gives
+        driver_->act(senses(), schedule_);
+        set_rotors(model_, schedule_(0), state_);
+    }
+}
+
 std::optional<End> Simulation::advance() {
+    if (driver_ && step_count_ > 0 && step_count_ % steps_per_decision_ == 0) {
+        driver_->act(senses(), schedule_);
+        if (driver_->ended()) return std::nullopt;  // the run ends here
+    }
     copy_state(state_, model_.vehicle.state_size, last_good_);
     const Health<double> health = engine_->advance_car(model_, integrator_, schedule_, time(), state_);
     const std::string problem = inspect(health);
@@ -198,12 +138,16 @@ void Simulation::save(Snapshot& to) const {
     to.step_count = step_count_;
     copy_state(state_, model_.vehicle.state_size, to.state);
     integrator_.save(to.memory);
+    schedule_.save(to.inputs);
+    if (driver_) to.driver = driver_->memory();
 }
 
 void Simulation::restore(const Snapshot& from) {
     step_count_ = from.step_count;
     copy_state(from.state, model_.vehicle.state_size, state_);
     integrator_.restore(from.memory);
+    schedule_.restore(from.inputs);
+    if (driver_) driver_->restore(from.driver);
 }
 
 // What is wrong after a step, or nothing: all numbers finite, loops closed, linkages free.

@@ -11,7 +11,9 @@
 #include "hamilcar/block/equilibrium.hpp"
 #include "hamilcar/block/initial_process.hpp"
 #include "hamilcar/block/integration.hpp"
+#include "hamilcar/driver/driver.hpp"
 #include "hamilcar/driver/schedule.hpp"
+#include "hamilcar/driver/sense.hpp"
 #include "hamilcar/engine/engine.hpp"
 
 namespace hamilcar {
@@ -42,6 +44,8 @@ struct Snapshot {
     long step_count = 0;
     State<double> state;
     Integrator<State<double>>::Memory memory;
+    Schedule::Memory inputs;
+    DriverMemory driver;
     Snapshot() {}
 };
 static_assert(std::is_trivially_copyable_v<Snapshot>);
@@ -55,9 +59,13 @@ public:
     double time() const { return step_count_ * integrator_.step(); }
     long steps_taken() const { return step_count_; }
     long total_steps() const { return total_steps_; }
-    bool finished() const { return step_count_ >= total_steps_; }
+    bool finished() const { return step_count_ >= total_steps_ || ending(); }
+    // What ended the run before its time, of those endings that the driver was told.
+    std::optional<std::string> ending() const { return driver_ ? driver_->ended() : std::nullopt; }
+    // What the driver could not do, with what was reached.
+    std::vector<std::string> complaints() const { return driver_ ? driver_->complaints() : std::vector<std::string>(); }
 
-    // One step; the reason if the run cannot go on. The state is then the last good one.
+    // One step, before which the driver decides if it is time; the reason if the run cannot go on. The state is then the last good one.
     std::optional<End> advance();
 
     // Going back: a run that is restored and advanced again computes the same bits. The snapshot must be of this
@@ -66,8 +74,12 @@ public:
     void restore(const Snapshot& from);
     // Another driver from now on, as a predictive controller tries one after the other.
     void set_schedule(const Schedule& schedule) { schedule_ = schedule; }
-    // The driver of a simulator decides anew before every step; `now.time` is the present. Without allocation.
-    void follow(const Input<double>& now) { schedule_.follow(now, scenario_.solver.step); }
+    // The driver of a simulator decides anew before every step: from now on a control goes as told. Without allocation.
+    void follow(Control control, const SignalValue<double>& now) {
+        schedule_.follow(control, time(), now, scenario_.solver.step);
+    }
+    Senses senses() const { return sense(model_, state_, schedule_(time())); }
+    const DrivenCar& driven_car() const { return car_; }
 
     Sample sample() const;
     const Model<double>& model() const { return model_; }
@@ -77,10 +89,13 @@ public:
     const Schedule& schedule() const { return schedule_; }
     const VehicleDescription& vehicle() const { return vehicle_; }
     const ScenarioDescription& scenario() const { return scenario_; }
+    const std::optional<Driver>& driver() const { return driver_; }
+    long steps_per_decision() const { return steps_per_decision_; }
     double initial_energy_balance() const { return initial_balance_; }
 
 private:
     void start();
+    void start_driver();
     std::string inspect(const Health<double>& health) const;
     std::string travels(int spoke) const;
 
@@ -90,6 +105,9 @@ private:
     Model<double> model_;
     const Engine* engine_;
     Schedule schedule_;
+    DrivenCar car_;
+    std::optional<Driver> driver_;
+    long steps_per_decision_ = 1;
     Integrator<State<double>> integrator_;
     State<double> state_, last_good_;  // the latter before the present step
     long step_count_ = 0, total_steps_ = 0;

@@ -5,6 +5,7 @@
 
 #include "hamilcar/math/convert.hpp"
 #include "hamilcar/vehicle/build_composed.hpp"
+#include "hamilcar/vehicle/build_powertrain.hpp"
 #include "hamilcar/vehicle/vehicle.hpp"
 
 namespace hamilcar {
@@ -45,7 +46,7 @@ template <class T>
 Vehicle<T>::Vehicle(const VehicleDescription& d)
     : chassis(make_body<T>(d.chassis)),
       chassis_inertia(SpatialInertia<T>::about_origin(chassis.mass, chassis.center, chassis.inertia)),
-      aerodynamics{T(0.5 * d.aerodynamics.air_density * d.aerodynamics.drag_area), as<T>(vec3(d.aerodynamics.center))},
+      aerodynamics(d.aerodynamics),
       hull(d.hull),
       gravity(d.gravity),
       total_mass(chassis.mass) {
@@ -65,6 +66,7 @@ Vehicle<T>::Vehicle(const VehicleDescription& d)
     if constexpr (!std::is_same_v<Abreast<T>, T>) rows = in_rows<Abreast<T>, Spoke>(spokes, places);
     state_size = hub_size + spoke_size * spoke_count();
     add_composed(d);
+    add_powertrain(d);
 }
 
 // Those after the corners, one after the other.
@@ -84,6 +86,17 @@ void Vehicle<T>::add_composed(const VehicleDescription& d) {
         trailers.push_back(make_trailer<T>(trailer, state_size));
         state_size += 2 * trailers.back().freedoms();
         total_mass += trailers.back().chassis.mass;
+    }
+}
+
+// Behind everything else. Rotors turn by themselves: their spin inertia is none of the chassis's.
+template <class T>
+void Vehicle<T>::add_powertrain(const VehicleDescription& d) {
+    powertrain = make_powertrain<T>(d);
+    powertrain.offset = state_size;
+    state_size += powertrain.size();
+    for (const PowerUnit<T>& unit : powertrain.units) {
+        take_rotor_out(unit.axis, unit.inertia, chassis_inertia.inertia);
     }
     if (state_size > state_capacity) throw std::length_error("the vehicle has more coordinates than a state can hold");
 }

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <vector>
 
+#include "hamilcar/driveline/powertrain.hpp"
+#include "hamilcar/force/aerodynamics.hpp"
 #include "hamilcar/force/hull.hpp"
 #include "hamilcar/suspension/list.hpp"
 #include "hamilcar/tire/list.hpp"
@@ -42,13 +44,6 @@ struct AntiRollBar {
 };
 
 template <class T>
-struct Aerodynamics {
-    T half_density_area;  // rho C_d A / 2 [kg/m]
-    Vec3<T> center;       // [m]
-    static constexpr auto members() { return std::tuple(&Aerodynamics::half_density_area, &Aerodynamics::center); }
-};
-
-template <class T>
 struct Vehicle {
     RigidBody<T> chassis;
     SpatialInertia<T> chassis_inertia;  // about the vehicle origin
@@ -59,14 +54,15 @@ struct Vehicle {
     std::vector<Trailer<T>> trailers;
     Aerodynamics<T> aerodynamics;
     Hull<T> hull;
+    Powertrain<T> powertrain;
     T gravity;     // [m/s^2]
     T total_mass;  // of everything [kg]
     int state_size;
     static constexpr auto members() {
         using V = Vehicle;
         return std::tuple(&V::chassis, &V::chassis_inertia, &V::spokes, &V::anti_roll_bars, &V::composed,
-                          &V::composed_bars, &V::trailers, &V::aerodynamics, &V::hull, &V::gravity, &V::total_mass,
-                          &V::state_size, &V::places);
+                          &V::composed_bars, &V::trailers, &V::aerodynamics, &V::hull, &V::powertrain, &V::gravity,
+                          &V::total_mass, &V::state_size, &V::places);
     }
     std::vector<int> places;                   // of the spokes in rows of two
     std::vector<Row<Spoke<Abreast<T>>>> rows;  // the same spokes abreast, where T has room for that
@@ -77,6 +73,7 @@ struct Vehicle {
     int spoke_count() const { return static_cast<int>(spokes.size()); }
 
     void add_composed(const VehicleDescription& description);
+    void add_powertrain(const VehicleDescription& description);
 
     // Calls f(row, its number) for the spokes one by one (S = T) or abreast (S = Abreast<T>).
     template <class S, class F>
@@ -93,6 +90,14 @@ struct Vehicle {
         }
     }
 };
+
+// Where a wheel of composed suspensions is, by its number among them: suspension and place there.
+template <class T>
+std::array<std::size_t, 2> composed_wheel(const Vehicle<T>& vehicle, int number) {
+    std::size_t s = 0;
+    while (s + 1 < vehicle.composed.size() && vehicle.composed[s + 1].first_wheel <= number) ++s;
+    return {s, static_cast<std::size_t>(number - vehicle.composed[s].first_wheel)};
+}
 
 }  // namespace hamilcar
 

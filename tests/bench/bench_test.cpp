@@ -58,7 +58,7 @@ TEST(Operations, OfAStepAreThoseOfItsTurnsAndABitMore) {
 }
 
 TEST(PathError, IsTheLargestDistance) {
-    const Path reference{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, path{{0, 0, 0}, {1, 3, 4}, {2, 1, 0}};
+    const Trace reference{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, path{{0, 0, 0}, {1, 3, 4}, {2, 1, 0}};
     EXPECT_EQ(path_error(path, reference), 5);
     EXPECT_EQ(path_error(reference, reference), 0);
     EXPECT_TRUE(std::isinf(path_error({{0, 0, 0}}, reference)));
@@ -69,7 +69,7 @@ TEST(Trials, ConvergeToTheReference) {
     ScenarioDescription scenario = lane_change();
     scenario.duration = 4;
     const VehicleDescription car = test::paper_car();
-    const Path reference = reference_path(car, scenario);
+    const Trace reference = reference_path(car, scenario);
     const TrialResult coarse = run_trial(car, scenario, {"ab3", 2e-3}, reference, 1),
                       fine = run_trial(car, scenario, {"ab3", 1e-3}, reference, 1);
     EXPECT_LT(coarse.path_error, 1e-5);

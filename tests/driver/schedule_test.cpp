@@ -144,11 +144,36 @@ TEST(Schedule, PassesDriveAndBrakeOn) {
     EXPECT_EQ(schedule(5).drive_torque, 600);
 }
 
+TEST(Schedule, KeepsEachGearUntilTheNext) {
+    ScenarioDescription s;
+    s.gear = {{0, 1, 2}, {1, 2, 3}, Interpolation::steps};
+    s.wind_x = {{0, 2}, {0, 10}, Interpolation::linear};
+    const Schedule schedule(s, {});
+    EXPECT_EQ(schedule(-1).gear, 1);
+    EXPECT_EQ(schedule(0.999).gear, 1);
+    EXPECT_EQ(schedule(1).gear, 2);
+    EXPECT_EQ(schedule(50).gear, 3);
+    EXPECT_NEAR(schedule(1).wind_x, 5, 1e-12);
+    EXPECT_TRUE(schedule.powered() && schedule.windy());
+}
+
+TEST(Schedule, RemembersWhatItFollows) {
+    Schedule schedule(steered(SteeringInput::rack), steering), other(steered(SteeringInput::rack), steering);
+    schedule.follow(Control::rack, 2, {0.01, -0.2, 3}, 1e-3);
+    Schedule::Memory memory;
+    schedule.save(memory);
+    other.restore(memory);
+    EXPECT_EQ(other(2.003).rack.displacement, schedule(2.003).rack.displacement);
+    EXPECT_EQ(other(0.5).drive_torque, schedule(0.5).drive_torque) << "what follows nobody keeps its table";
+}
+
 // The piece that a driver leads on from goes as its Taylor series, whatever it is written over.
 TEST(Schedule, FollowsADriverFromStepToStep) {
     Schedule schedule({}, {});
     for (const double step : {1e-3, 0.02}) {
-        schedule.follow({.rack = {0.01, -0.2, 3}, .drive_torque = 150, .brake = 0.25, .time = 2}, step);
+        schedule.follow(Control::rack, 2, {0.01, -0.2, 3}, step);
+        schedule.follow(Control::drive_torque, 2, {150}, step);
+        schedule.follow(Control::brake, 2, {0.25}, step);
         for (const double after : {0.0, 1e-3, 0.5}) {
             const Input<double> input = schedule(2 + after);
             EXPECT_NEAR(input.rack.displacement, 0.01 - 0.2 * after + 1.5 * after * after, 1e-15);

@@ -34,6 +34,15 @@ TEST(KeyUnit, ConvertsDegreesAndPercent) {
     EXPECT_EQ(unit_of_key("angular_velocity_deg_per_s").symbol, "deg/s");
     EXPECT_EQ(unit_of_key("grade_percent").to_si, 0.01);
     EXPECT_EQ(unit_of_key("mass_kg").to_si, 1);
+    EXPECT_EQ(unit_of_key("max_power_W").symbol, "W");
+}
+
+TEST(KeyUnit, ConvertsEngineSpeeds) {
+    EXPECT_EQ(unit_of_key("idle_rpm").symbol, "rpm");
+    EXPECT_DOUBLE_EQ(60 * unit_of_key("idle_rpm").to_si, 2 * M_PI);
+    // A condition inside of a key is no unit.
+    EXPECT_EQ(unit_of_key("pump_torque_at_2000rpm_N_m").symbol, "N m");
+    EXPECT_EQ(unit_of_key("pump_torque_at_2000rpm_N_m").to_si, 1);
 }
 
 }  // namespace

@@ -96,6 +96,39 @@ TEST_F(PageFile, HasItsTextsTablesAndCharts) {
     EXPECT_TRUE(std::isnan(column(chart["curves"][0]["y"])[1]));
 }
 
+TEST_F(PageFile, HasMapsWithConesBarriersAndLimits) {
+    Page page{.title = "t", .subtitle = "", .blocks = {}, .runs = {}};
+    Chart map{"path", "x [m]", "y [m]", {{"", {0, 1}, {2, 3}}}};
+    map.equal_axes = true;
+    map.marks = {{"cones", {0, 5, 10}, {1, -1, 1.5}}, {"", {7}, {8}}};
+    map.lines = {{0, 1, 10, 1.5}, {0, -1, 10, -2}};
+    map.horizontal_marks = {{3.5, "lane"}};
+    page.blocks = {map, Chart{"plain", "", "", {{"", {1, 2}, {3, 4}}}}};
+    write(page);
+    const json& block = document_["blocks"][0];
+    EXPECT_EQ(block["equal_axes"], true);
+    ASSERT_EQ(block["cones"].size(), 2u);
+    EXPECT_EQ(block["cones"][0]["label"], "cones");
+    EXPECT_EQ(column(block["cones"][0]["x"]), (std::vector<double>{0, 5, 10}));
+    EXPECT_EQ(column(block["cones"][0]["y"]), (std::vector<double>{1, -1, 1.5}));
+    EXPECT_EQ(column(block["cones"][1]["y"]), std::vector<double>{8});
+    EXPECT_EQ(block["lines"], json::parse("[[0, 1, 10, 1.5], [0, -1, 10, -2]]"));
+    EXPECT_EQ(block["horizontal_marks"], json::parse(R"([{"y": 3.5, "label": "lane"}])"));
+    const json& plain = document_["blocks"][1];  // as it was before there were maps
+    for (const char* key : {"equal_axes", "cones", "lines", "horizontal_marks"})
+        EXPECT_FALSE(plain.contains(key)) << key;
+}
+
+TEST_F(PageFile, HasVerdicts) {
+    Page page{.title = "t", .subtitle = "", .blocks = {}, .runs = {}};
+    page.blocks = {Verdicts{{{"no cone is hit", true, ""}, {"speed", false, "51.2 km/h"}}}, Verdicts{}};
+    write(page);
+    EXPECT_EQ(document_["blocks"][0], json::parse(R"({"kind": "verdicts", "list": [
+        {"criterion": "no cone is hit", "passed": true, "found": ""},
+        {"criterion": "speed", "passed": false, "found": "51.2 km/h"}]})"));
+    EXPECT_EQ(document_["blocks"][1]["list"], json::array());
+}
+
 TEST_F(PageFile, HasEveryNumberOfARun) {
     PageRun run{.name = "r",
                 .file = "results.nc",

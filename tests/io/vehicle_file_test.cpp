@@ -152,6 +152,46 @@ TEST(VehicleFile, OtherWaysToSayTheSame) {
     EXPECT_EQ(car.gravity, 1.62);
 }
 
+TEST(VehicleFile, AirMayLiftPushAndTurn) {
+    const TemporaryFolder folder;
+    const std::string coefficients =
+        changed(shipped_car_text(), "frontal_area_m2 = 1.85",
+                "lift_coefficient_front = 0.1\nlift_coefficient_rear = -0.2\nside_force_coefficient = 2\n"
+                "yaw_moment_coefficient = 0.5\nreference_length_m = 3\nfrontal_area_m2 = 2 #");
+    const AerodynamicsDescription air = read_vehicle(folder.write("car.toml", coefficients)).aerodynamics;
+    EXPECT_DOUBLE_EQ(air.drag_area, 0.76);
+    EXPECT_THAT(air.lift_area, ElementsAre(0.2, -0.4));
+    EXPECT_EQ(air.side_area, 4);
+    EXPECT_EQ(air.yaw_volume, 3);
+    EXPECT_THAT(air.lift_place, ElementsAre(0, -2.57));  // the axles
+    const std::string areas =
+        "base = 'car.toml'\n[aerodynamics]\ndrag_area_m2 = 0.7\nlift_area_rear_m2 = 0.3\n"
+        "side_force_area_m2 = 5\nyaw_moment_volume_m3 = 6\nlift_places_m = [0.5, -3]\n";
+    const AerodynamicsDescription other = read_vehicle(folder.write("other.toml", areas)).aerodynamics;
+    EXPECT_EQ(other.drag_area, 0.7);
+    EXPECT_THAT(other.lift_area, ElementsAre(0, 0.3));
+    EXPECT_EQ(other.side_area, 5);
+    EXPECT_EQ(other.yaw_volume, 6);
+    EXPECT_THAT(other.lift_place, ElementsAre(0.5, -3));
+    const AerodynamicsDescription plain = shipped_car().aerodynamics;
+    EXPECT_THAT(plain.lift_area, ElementsAre(0, 0));
+    EXPECT_FALSE(plain.side_area);
+    EXPECT_EQ(plain.yaw_volume, 0);
+}
+
+TEST(VehicleFile, SteeringRatioMayVary) {
+    const TemporaryFolder folder;
+    const auto car = read_vehicle(
+        folder.write("car.toml", changed(shipped_car_text(), "rack_m_per_revolution = 0.0365",
+                                         "angle_deg = [0, 90, 360, 720]\nrack_m = [0, 0.01, 0.045, 0.1]")));
+    EXPECT_DOUBLE_EQ(car.steering.rack_per_revolution, 0.04);
+    EXPECT_THAT(car.steering.rack, ElementsAre(0, 0.01, 0.045, 0.1));
+    ASSERT_EQ(car.steering.angle.size(), 4u);
+    EXPECT_DOUBLE_EQ(car.steering.angle[1], M_PI / 2);
+    EXPECT_EQ(car.steering.rack_travel, 0.073);
+    EXPECT_TRUE(shipped_car().steering.angle.empty());
+}
+
 TEST(VehicleFile, AStrutMayBeUnsteered) {
     const TemporaryFolder folder;
     const auto car = read_vehicle(folder.write("car.toml", changed(shipped_car_text(), "rack_axis = [0.0, 1.0, 0.0]",

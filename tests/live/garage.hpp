@@ -13,12 +13,25 @@
 
 namespace hamilcar::live {
 
+// A lane of 4 m along x, from 0 to 20 m, with cones at its corners.
+inline TestCourse gates() {
+    return {.id = "gates",
+            .name = "Test 1",
+            .title = "Gates",
+            .summary = "Straight on.",
+            .course = {.cones = {{0, 2}, {0, -2}, {20, 2}, {20, -2}},
+                       .boundaries = {{{0, 2}, {20, 2}}, {{20, -2}, {0, -2}}},
+                       .line = {{-30, 0}, {50, 0}}}};
+}
+
 // "car" is the 323i on the paper's tires, "wreck" a file that cannot be read; "waves" is an uneven road, "drop" ends a run
-// within a second.
+// within a second, on "gates" the lane above is to be driven through.
 inline Garage garage() {
-    return {.vehicles = {{"car", "A car"}, {"wreck", "None"}},
-            .roads = {{"flat", "Flat"}, {"waves", "Waves"}, {"drop", "From 4 m"}},
-            .open = [](const Wish& wish) {
+    return {
+        .vehicles = {{"car", "A car"}, {"wreck", "None"}},
+        .roads = {{"flat", "Flat"}, {"waves", "Waves"}, {"drop", "From 4 m"}, {"gates", "Gates"}},
+        .open =
+            [](const Wish& wish) {
                 if (wish.vehicle == "wreck") throw io::Error(io::ExitCode::bad_file, "wreck.toml: no wheels");
                 VehicleDescription car = test::paper_car();
                 ScenarioDescription scenario = test::scenario(1);
@@ -32,7 +45,9 @@ inline Garage garage() {
                     scenario.initial.settle = false, scenario.initial.height = 4;
                 }
                 return std::pair(car, scenario);
-            }};
+            },
+        .course = [](const std::string& road,
+                     const VehicleDescription&) { return road == "gates" ? std::optional(gates()) : std::nullopt; }};
 }
 
 inline std::string scratch_folder() {

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "live/garage.hpp"
 
 namespace hamilcar::live {
@@ -109,6 +111,33 @@ TEST_F(InTheLobby, EverybodyIsToldOfAnotherCarAndOneOfARefusal) {
     lobby.hear(1, R"({"type":"load","vehicle":"car","road":"waves","friction":0.5})");
     EXPECT_TRUE(
         comes_true([&] { return lobby.attend(), second.last().find(R"("road":"waves")") != std::string::npos; }));
+}
+
+TEST_F(InTheLobby, AResultIsToldOnceAndToPagesThatComeLater) {
+    lobby.enter(first);
+    session.load({"car", "gates"}, 1);
+    ASSERT_TRUE(comes_true([&] { return lobby.attend(), session.ride().course() != nullptr; }));
+    EXPECT_THAT(first.last(), HasSubstr(R"("title":"Gates")"));
+    const auto results = [](const PretendedPage& page) {
+        return std::count_if(page.texts.begin(), page.texts.end(), [](const std::string& text) {
+            return text.find(R"("type":"result")") != std::string::npos;
+        });
+    };
+    lobby.hear(1, R"({"type":"input","sequence":1,"device":"keys","steer":0,"throttle":1,"brake":0,"reverse":false})");
+    ASSERT_TRUE(comes_true([&] { return lobby.attend(), results(first) > 0; }));
+    const std::string told = first.last();
+    EXPECT_THAT(told, HasSubstr(R"("passed":true)"));
+    lobby.enter(second);
+    EXPECT_EQ(second.last(), told);
+    const int frames = first.frames;
+    ASSERT_TRUE(comes_true([&] { return lobby.attend(), first.frames > frames + 10; }));
+    EXPECT_EQ(results(first), 1);
+    lobby.hear(1, R"({"type":"reset"})");
+    ASSERT_TRUE(comes_true([&] { return lobby.attend(), !session.ride().frames().value().run.over; }));
+    PretendedPage third;
+    lobby.enter(third);
+    EXPECT_EQ(results(third), 0);
+    lobby.leave(3);
 }
 
 TEST_F(InTheLobby, TilesOfAnUnevenRoadGoToEachPageOnce) {

@@ -6,6 +6,7 @@
 
 #include <bit>
 #include <cstring>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "live/garage.hpp"
@@ -13,10 +14,16 @@
 namespace hamilcar::live {
 namespace {
 
+using nlohmann::json;
 using testing::HasSubstr;
 
 const std::string good_input =
     R"({"type":"input","sequence":7,"device":"axes","steer":-0.25,"throttle":1,"brake":0,"reverse":true})";
+
+// Of a car with gears.
+const std::string shifting_input =
+    R"({"type":"input","sequence":8,"device":"keys","steer":0,"throttle":0,"brake":0,"reverse":false,)"
+    R"("selector":"manual","gear":3,"clutch":0.5})";
 
 std::string problem(const std::string& text) {
     const auto heard = read_message(text);
@@ -44,7 +51,7 @@ TEST(ClientMessages, AreUnderstood) {
     EXPECT_EQ(input.controls.steer, -0.25);
     EXPECT_EQ(input.controls.throttle, 1);
     EXPECT_EQ(input.controls.brake, 0);
-    EXPECT_TRUE(input.controls.reverse);
+    EXPECT_EQ(input.controls.selector, Selector::reverse);
     understood<ResetMessage>(R"({"type":"reset"})");
     understood<TakeMessage>(R"({"type":"take"})");
     EXPECT_TRUE(understood<PauseMessage>(R"({"type":"pause","on":true})").on);
@@ -56,13 +63,48 @@ TEST(ClientMessages, AreUnderstood) {
     EXPECT_EQ(wish.friction, 1.5);
 }
 
+TEST(ClientMessages, SayHowTheGearLeverStands) {
+    const Controls manual = understood<InputMessage>(shifting_input).controls;
+    EXPECT_EQ(manual.selector, Selector::manual);
+    EXPECT_EQ(manual.gear, 3);
+    EXPECT_EQ(manual.clutch, 0.5);
+    for (const auto& [word, selector] : {std::pair("drive", Selector::drive), {"neutral", Selector::neutral}}) {
+        const std::string text = replaced(shifting_input, "manual", word);
+        EXPECT_EQ(understood<InputMessage>(text).controls.selector, selector);
+    }
+    const std::string back = replaced(shifting_input, "manual", "reverse");
+    EXPECT_THAT(problem(back), HasSubstr("'reverse': expected what the selector says"));
+    EXPECT_EQ(understood<InputMessage>(replaced(back, "false", "true")).controls.selector, Selector::reverse);
+    const Controls simple = understood<InputMessage>(replaced(good_input, "true", "false")).controls;
+    EXPECT_EQ(simple.selector, Selector::drive);
+    EXPECT_EQ(simple.gear, 1);
+    EXPECT_EQ(simple.clutch, 0);
+}
+
+TEST(ClientMessages, SayAllOfTheGearLeverOrNothing) {
+    for (const auto& [part, name] : {std::pair(R"("selector":"manual",)", "'selector'"),
+                                     {R"("gear":3,)", "'gear'"},
+                                     {R"(,"clutch":0.5)", "'clutch'"}}) {
+        EXPECT_THAT(problem(replaced(shifting_input, part, "")), HasSubstr(name));
+    }
+    const std::pair<const char*, std::vector<const char*>> wrong[] = {
+        {"\"manual\"", {"\"sport\"", "\"\"", "1", "null"}},
+        {"\"gear\":3", {"\"gear\":0", "\"gear\":-1", "\"gear\":1.5", "\"gear\":21", "\"gear\":4294967297"}},
+        {"0.5", {"-0.1", "1.1", "true", "\"0\""}}};
+    for (const auto& [good, bad] : wrong) {
+        for (const char* value : bad) {
+            EXPECT_THAT(problem(replaced(shifting_input, good, value)), HasSubstr("expected")) << value;
+        }
+    }
+}
+
 TEST(ClientMessages, LackNothingAndHaveNothingElse) {
     for (const char* field : {"type", "sequence", "device", "steer", "throttle", "brake", "reverse"}) {
         const std::string name = "\"" + std::string(field) + "\"";
         EXPECT_THAT(problem(replaced(good_input, name, "\"other\"")), HasSubstr("'" + std::string(field) + "'"));
         EXPECT_THAT(problem(replaced(good_input, "{", "{" + name + ":0,")), HasSubstr("twice"));
     }
-    EXPECT_THAT(problem(replaced(good_input, "{", "{\"clutch\":0,")), HasSubstr("'clutch' does not belong there"));
+    EXPECT_THAT(problem(replaced(good_input, "{", "{\"horn\":0,")), HasSubstr("'horn' does not belong there"));
     EXPECT_THAT(problem(R"({"type":"pause"})"), HasSubstr("'on': expected true or false"));
     EXPECT_THAT(problem(R"({"type":"fly"})"), HasSubstr("'type'"));
     EXPECT_THAT(problem(R"({})"), HasSubstr("'type'"));
@@ -112,6 +154,61 @@ TEST(ClientMessages, OfRandomBytesAreAnswered) {
         }
         EXPECT_NO_THROW(read_message(text));
     }
+}
+
+json parsed(const std::string& text) {
+    return json::parse(text);
+}
+
+TEST(ServerMessages, TellTheDriveline) {
+    const json simple = parsed(car_message(Ride(1, {"car", "flat"}, test::paper_car(), test::scenario(1))));
+    EXPECT_TRUE(simple.at("driveline").is_null());
+    EXPECT_TRUE(simple.at("course").is_null());
+    const json shifted = parsed(car_message(Ride(1, {"car", "flat"}, test::shipped_car(), test::scenario(1))));
+    const json& driveline = shifted.at("driveline");
+    const json& unit = driveline.at("units").at(0);
+    EXPECT_EQ(unit.at("name"), "engine");
+    EXPECT_NEAR(unit.at("idle").get<double>(), 800, 1e-6);
+    EXPECT_NEAR(unit.at("most").get<double>(), 6400, 1e-6);
+    EXPECT_EQ(driveline.at("gears"), 5);
+    EXPECT_EQ(driveline.at("reverse"), true);
+    EXPECT_EQ(driveline.at("clutch"), true);
+    EXPECT_EQ(driveline.at("automatic"), false);
+    std::vector<std::string> names;
+    for (const json& channel : shifted.at("channels")) names.push_back(channel.at("name"));
+    for (const char* name :
+         {"engine.speed", "engine.torque", "engine.throttle", "engine.gear", "engine.clutch_torque"}) {
+        EXPECT_THAT(names, testing::Contains(name));
+    }
+}
+
+TEST(ServerMessages, TellTheCourseAndHowItWent) {
+    const VehicleDescription car = test::paper_car();
+    const Ride ride(1, {"car", "gates"}, car, test::scenario(1), gates());
+    const json course = parsed(car_message(ride)).at("course");
+    EXPECT_EQ(course.at("id"), "gates");
+    EXPECT_EQ(course.at("name"), "Test 1");
+    EXPECT_EQ(course.at("title"), "Gates");
+    EXPECT_EQ(course.at("summary"), "Straight on.");
+    EXPECT_EQ(course.at("cones").at(0), json::parse("[0.0, 2.0]"));
+    EXPECT_EQ(course.at("boundaries").at(0), json::parse("[0.0, 2.0, 20.0, 2.0]"));
+    EXPECT_EQ(course.at("line").size(), 2u);
+    CourseRun run{.entered = true, .over = true, .cones = 2, .time = 3, .entry_speed = 10};
+    const json failed = parsed(result_message(*ride.course(), run));
+    EXPECT_EQ(failed.at("type"), "result");
+    EXPECT_EQ(failed.at("course"), "gates");
+    EXPECT_EQ(failed.at("finished"), false);
+    EXPECT_EQ(failed.at("passed"), false);
+    EXPECT_EQ(failed.at("time"), 3.0);
+    EXPECT_EQ(failed.at("values").at(0).at("name"), "entry speed");
+    EXPECT_EQ(failed.at("values").at(0).at("unit"), "km/h");
+    EXPECT_NEAR(failed.at("values").at(0).at("value").get<double>(), 36, 1e-9);
+    EXPECT_TRUE(failed.at("values").at(1).at("value").is_null());  // it never came out
+    EXPECT_EQ(failed.at("verdicts").at(1),
+              json::parse(R"({"criterion":"no cone is hit","passed":false,"found":"2 cones"})"));
+    TestCourse line = gates();
+    line.course.cones.clear(), line.course.boundaries.clear();
+    EXPECT_TRUE(parsed(result_message(line, run)).at("passed").is_null());
 }
 
 TEST(ServerMessages, AreWhatThePageReads) {

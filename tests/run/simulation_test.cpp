@@ -72,7 +72,7 @@ TEST(Channels, VelocitiesAreTheRatesOfPositions) {
     std::vector<std::vector<double>> rows;
     record(
         simulation, channels, 0.001, [&](const Sample&, const std::vector<double>& row) { rows.push_back(row); },
-        [](double) { return true; });
+        [](double, const RunSummary&) { return true; });
     ASSERT_EQ(rows.size(), 2001u);
     for (const std::size_t i : {500u, 900u, 1500u}) {
         const auto slope = [&](std::size_t channel) { return (rows[i + 1][channel] - rows[i - 1][channel]) / 0.002; };
@@ -88,7 +88,7 @@ TEST(Record, WritesTheStartEveryIntervalAndTheLastState) {
     std::vector<double> times;
     const RunSummary summary = record(
         simulation, {}, 0.01, [&](const Sample& sample, const std::vector<double>&) { times.push_back(sample.time); },
-        [](double) { return true; });
+        [](double, const RunSummary&) { return true; });
     EXPECT_THAT(times,
                 testing::ElementsAre(0, testing::DoubleEq(0.01), testing::DoubleEq(0.02), testing::DoubleEq(0.026)));
     EXPECT_EQ(summary.steps, 26);

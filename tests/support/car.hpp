@@ -34,7 +34,9 @@ inline VehicleDescription conservative_car() {
 }
 
 inline Model<double> make_model(const VehicleDescription& car) {
-    return {.vehicle = Vehicle<double>(car), .road = PlaneRoad<double>(0, 0, 1)};
+    VehicleDescription alone = car;  // a torque at the wheels stands for power units
+    alone.power_units.clear(), alone.differentials.clear();
+    return {.vehicle = Vehicle<double>(alone), .road = PlaneRoad<double>(0, 0, 1)};
 }
 
 inline Energy<double> energy_of(const Model<double>& model, const State<double>& state, const Input<double>& input) {

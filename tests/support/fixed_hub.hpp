@@ -107,7 +107,8 @@ private:
         const Mat3<double> upright = Mat3<double>::Identity();
         Spatial<double> external = Spatial<double>::Zero();
         double work = 0;
-        composed_momenta(model_, at, Input<double>{}, velocity, upright, still, momenta, external, work);
+        const std::array<double, max_composed_wheels>* no_shafts = nullptr;
+        composed_momenta(model_, at, Input<double>{}, velocity, upright, still, no_shafts, momenta, external, work);
         std::fill_n(rate.values.begin(), hub_size, 0.0);
         write_composed_rates(model_.vehicle, velocity, momenta, rate);
         turn.composed_closing[0] = velocity.spokes[0].at.closing;

@@ -32,7 +32,8 @@ inline VehicleDescription made_conservative(VehicleDescription car) {
         for (ComposedWheelDescription& wheel : spoke.wheels) wheel.bump = wheel.rebound = {}, soften(wheel.tire);
     }
     for (TrailerDescription& trailer : car.trailers) trailer.yaw_damping = 0;
-    car.aerodynamics.drag_area = 0;
+    car.aerodynamics = {};
+    car.power_units.clear(), car.differentials.clear();
     return car;
 }
 

@@ -123,6 +123,14 @@ export interface Axis {
   readonly logarithmic: boolean;
 }
 
+// Cones on the ground, in the units of the axes.
+export interface Cones {
+  readonly label: string; // "" if the legend is not to name them
+  readonly x: ColumnReference;
+  readonly y: ColumnReference;
+}
+
+// What stands there optionally is left out where there is none of it.
 export interface ChartBlock {
   readonly kind: "chart";
   readonly title: string;
@@ -130,6 +138,10 @@ export interface ChartBlock {
   readonly y: Axis;
   readonly curves: readonly Curve[];
   readonly marks: readonly { readonly x: number; readonly label: string }[]; // vertical lines
+  readonly horizontal_marks?: readonly { readonly y: number; readonly label: string }[]; // limits
+  readonly equal_axes?: boolean; // both axes to one scale, as on a map; neither is logarithmic
+  readonly cones?: readonly Cones[];
+  readonly lines?: readonly (readonly [number, number, number, number])[]; // barriers: x0, y0, x1, y1
 }
 
 export type Cell = string | number | null; // null: does not exist
@@ -141,11 +153,24 @@ export interface TableBlock {
   readonly rows: readonly (readonly Cell[])[];
 }
 
+export interface Verdict {
+  readonly criterion: string; // "no cone is hit"
+  readonly passed: boolean;
+  readonly found: string; // "2 cones"; "" where there is nothing to tell
+}
+
+// All of them are to be passed.
+export interface VerdictsBlock {
+  readonly kind: "verdicts";
+  readonly list: readonly Verdict[];
+}
+
 export type Block =
   | { readonly kind: "heading"; readonly text: string }
   | { readonly kind: "text"; readonly text: string }
   | ChartBlock
   | TableBlock
+  | VerdictsBlock
   | { readonly kind: "replay" }; // all runs of the document: the 3D view with its plots
 
 export interface PageDocument {

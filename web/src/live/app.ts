@@ -4,10 +4,9 @@ import type { CameraMode } from "../scene/camera";
 import type { Stage } from "../scene/stage";
 import { calibrate } from "./calibration";
 import { Controls } from "./controls";
-import { surface } from "./course";
 import { Dashboard } from "./dashboard";
 import type { LiveFrame } from "./frame";
-import { figure, Metronome } from "./gauge";
+import { Metronome } from "./gauge";
 import { offerHooks } from "./hooks";
 import { Identity } from "./identity";
 import { Latency } from "./latency";
@@ -19,6 +18,7 @@ import type { Part } from "./menu";
 import { Notices } from "./notice";
 import { Picture } from "./picture";
 import type { CarMessage, ClientMessage, InputMessage, Status } from "./protocol";
+import { ResultCard } from "./result";
 import { Session } from "./session";
 import { roleText, situation } from "./situation";
 import { Strip } from "./strip";
@@ -32,11 +32,12 @@ export class App {
   private readonly latency = new Latency();
   private readonly metronome = new Metronome();
   private readonly identity = new Identity(() => this.send({ type: "take" }));
-  private readonly dashboard = new Dashboard(() => this.controls.toggleReverse());
+  private readonly dashboard = new Dashboard(() => this.controls.nextSelector());
   private readonly wheels = new WheelTable();
   private readonly machine = new MachineLine();
   private readonly strip = new Strip();
-  private readonly notices = new Notices();
+  private readonly result = new ResultCard(() => this.reset());
+  private readonly notices = new Notices(this.result.root);
   private readonly toolbar: Toolbar;
   private readonly menu: Menu;
   private readonly controls: Controls;
@@ -111,7 +112,8 @@ export class App {
       pressed: (sequence, at) => this.pressed(sequence, at),
       speed: () => this.speed(),
       say: (message) => this.notices.say(message),
-      shifted: (reverse) => this.dashboard.showGear(reverse),
+      engaged: () => this.dashboard.gear.engaged,
+      shifted: (selector) => this.dashboard.gear.select(selector),
       reset: () => this.reset(),
       togglePause: () => this.send({ type: "pause", on: this.session.status?.paused !== "driver" }),
       chooseCamera: (mode) => this.chooseCamera(mode),
@@ -126,6 +128,7 @@ export class App {
       greeted: (hello) => this.menu.course.greet(hello),
       carChanged: (car, frame) => this.carChanged(car, frame),
       tileArrived: (tile) => this.picture.addTile(tile),
+      courseEnded: ({ course }, result) => this.result.show(course?.title ?? "", result),
       statusChanged: (status) => this.statusChanged(status),
       refused: (message) => this.notices.say(message),
     });
@@ -150,10 +153,10 @@ export class App {
     this.wheels.setCar(car.scene, frame);
     this.strip.setCar(frame);
     this.menu.course.show(car);
-    this.controls.forward();
+    this.controls.setDriveline(car.driveline ?? null);
+    this.result.hide();
     this.latency.forget();
-    const road = `${car.scene.road.name}, ${surface(car.friction)} (${figure(car.friction, 2)})`;
-    this.identity.showCar(car.scene.vehicle, road);
+    this.identity.showCar(car);
   }
 
   private statusChanged(status: Status): void {
@@ -193,7 +196,8 @@ export class App {
   }
 
   private reset(): void {
-    this.controls.forward();
+    this.controls.restart();
+    this.result.hide();
     this.send({ type: "reset" });
   }
 
@@ -230,6 +234,7 @@ export class App {
   private showFrame(frame: LiveFrame, now: number): void {
     const texts = this.metronome.ticks(now);
     this.strip.add(frame.time);
+    this.result.follow(frame.time);
     this.dashboard.show(texts);
     this.wheels.show(texts);
     if (!texts) return;

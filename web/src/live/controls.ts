@@ -2,28 +2,29 @@
 import { Keys } from "./keys";
 import type { KeyListener } from "./keys";
 import { Pads } from "./gamepad";
+import type { PadCommand } from "./gamepad";
 import { apart, letGo } from "./held";
 import type { Held } from "./held";
-import type { InputMessage } from "./protocol";
+import type { Driveline, InputMessage } from "./protocol";
+import { Shifter } from "./shifter";
+import type { ShifterListener } from "./shifter";
 import { TouchControls } from "./touch";
 
 const heartbeat = 90; // the program hears from its driver at least every 100 ms
-const standstill = 0.5; // [m/s]
 const meant = 0.05; // a controller that moves less than this only trembles
 
-export interface Cockpit extends Omit<KeyListener, "held" | "toggleReverse"> {
+type GearKey = "toggleReverse" | "nextSelector" | "shift";
+
+export interface Cockpit extends Omit<KeyListener, "held" | GearKey>, ShifterListener {
   send(input: InputMessage): void;
   pressed(sequence: number, at: number): void; // an input a person gave at that time [ms] has this number
-  shifted(reverse: boolean): void;
-  speed(): number; // [m/s]
-  say(message: string): void;
 }
 
 type Source = "keys" | "pads" | "touch";
 
 export class Controls {
   readonly touch: TouchControls;
-  private reverse = false;
+  private readonly shifter: Shifter;
   private readonly keys: Keys;
   private readonly pads: Pads;
   private source: Source = "keys";
@@ -33,12 +34,24 @@ export class Controls {
   private hands: Held = letGo;
 
   constructor(private readonly cockpit: Cockpit) {
+    this.shifter = new Shifter({
+      ...cockpit,
+      shifted: (selector) => {
+        cockpit.shifted(selector);
+        this.send();
+      },
+    });
     this.keys = new Keys({
       ...cockpit,
       held: (at, press) => this.use("keys", at, press),
-      toggleReverse: () => this.toggleReverse(),
+      toggleReverse: () => this.shifter.toggleReverse(),
+      nextSelector: () => this.nextSelector(),
+      shift: (by) => this.shift(by),
     });
-    this.touch = new TouchControls((at, press) => this.use("touch", at, press));
+    this.touch = new TouchControls(
+      (at, press) => this.use("touch", at, press),
+      (by) => this.shift(by),
+    );
     this.pads = new Pads((command) => this.padCommand(command));
     setInterval(() => this.send(), heartbeat);
     addEventListener("blur", () => this.release());
@@ -72,26 +85,35 @@ export class Controls {
     this.send();
   }
 
-  toggleReverse(): void {
-    if (!this.reverse && this.cockpit.speed() > standstill) return this.cockpit.say("Reverse goes in at a standstill.");
-    if (this.reverse && this.cockpit.speed() < -standstill) return this.cockpit.say("Forward goes in at a standstill.");
-    this.shift(!this.reverse);
+  nextSelector(): void {
+    this.shifter.next();
   }
 
-  forward(): void {
-    if (this.reverse) this.shift(false);
+  setDriveline(driveline: Driveline | null): void {
+    this.touch.shifts = (driveline?.gears ?? 1) > 1;
+    this.shifter.setDriveline(driveline);
   }
 
-  private shift(reverse: boolean): void {
-    this.reverse = reverse;
-    this.cockpit.shifted(reverse);
-    this.send();
+  // The car is back at its start.
+  restart(): void {
+    this.shifter.restart();
   }
 
-  private padCommand(command: "reverse" | "reset" | "pause"): void {
-    if (command === "reverse") this.toggleReverse();
-    else if (command === "reset") this.cockpit.reset();
-    else this.cockpit.togglePause();
+  private shift(by: 1 | -1): void {
+    if (by > 0) this.shifter.up();
+    else this.shifter.down();
+  }
+
+  private padCommand(command: PadCommand): void {
+    const does: Readonly<Record<PadCommand, () => void>> = {
+      up: () => this.shift(1),
+      down: () => this.shift(-1),
+      next: () => this.nextSelector(),
+      reverse: () => this.shifter.toggleReverse(),
+      reset: () => this.cockpit.reset(),
+      pause: () => this.cockpit.togglePause(),
+    };
+    does[command]();
   }
 
   private use(source: Source, at: number, press: boolean): void {
@@ -105,7 +127,9 @@ export class Controls {
   private send(): void {
     this.sent = this.hands;
     this.sequence += 1;
+    const { sequence } = this;
     const device = this.source === "keys" ? "keys" : "axes";
-    this.cockpit.send({ type: "input", sequence: this.sequence, device, ...this.hands, reverse: this.reverse });
+    const { steer, throttle, brake, clutch } = this.hands;
+    this.cockpit.send({ type: "input", sequence, device, steer, throttle, brake, ...this.shifter.wanted(clutch) });
   }
 }

@@ -1,6 +1,7 @@
 // Which vehicle on which road, and how slippery: chosen together, because any change puts a car at its start.
 import { element } from "../dom";
 import { figure } from "./gauge";
+import { courseRoad } from "./protocol";
 import type { CarMessage, Choice, Hello } from "./protocol";
 
 const surfaces: readonly (readonly [number, string])[] = [
@@ -17,8 +18,18 @@ export interface Course {
   readonly friction: number;
 }
 
-const offer = (list: HTMLSelectElement, all: readonly Choice[]): void =>
-  list.replaceChildren(...all.map(({ id, name }) => element("option", { value: id }, name)));
+const optionOf = ({ id, name }: Choice): HTMLElement => element("option", { value: id }, name);
+
+const offer = (list: HTMLSelectElement, all: readonly Choice[]): void => list.replaceChildren(...all.map(optionOf));
+
+function offerRoads(list: HTMLSelectElement, all: readonly Choice[]): void {
+  const courses = all.filter(({ id }) => id.startsWith(courseRoad));
+  const roads = all.filter((road) => !courses.includes(road));
+  if (courses.length === 0) return offer(list, roads);
+  const group = (label: string, of: readonly Choice[]): HTMLElement =>
+    element("optgroup", { label }, ...of.map(optionOf));
+  list.replaceChildren(group("Roads", roads), group("Courses", courses));
+}
 
 const labeled = (label: string, control: HTMLElement): HTMLElement =>
   element("label", {}, element("span", {}, label), control);
@@ -60,7 +71,7 @@ export class CourseForm {
 
   greet(hello: Hello): void {
     offer(this.vehicle, hello.vehicles);
-    offer(this.road, hello.roads);
+    offerRoads(this.road, hello.roads);
   }
 
   show(car: CarMessage): void {

@@ -31,6 +31,10 @@ export class LiveFrame {
     return true;
   }
 
+  has(name: string): boolean {
+    return this.columns.has(name);
+  }
+
   // Reads one channel; NaN where the car has none of that name.
   reader(name: string): () => number {
     const column = this.columns.get(name);

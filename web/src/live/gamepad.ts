@@ -17,9 +17,12 @@ export interface Calibration {
   readonly brake: Pedal;
 }
 
-export type PadCommand = "reverse" | "reset" | "pause";
+export type PadCommand = "up" | "down" | "next" | "reverse" | "reset" | "pause";
 const commandButtons: readonly (readonly [number, PadCommand])[] = [
+  [1, "next"], // B or circle: selector
   [3, "reverse"], // Y or triangle
+  [4, "down"], // LB or L1: gears
+  [5, "up"], // RB or R1
   [8, "reset"], // back
   [9, "pause"], // start
 ];
@@ -57,6 +60,7 @@ export function readPad(pad: Gamepad, calibration: Calibration | null): Held {
       steer: wheel(pad, calibration.steer),
       throttle: pedal(pad, calibration.throttle),
       brake: pedal(pad, calibration.brake),
+      clutch: 0,
     };
   }
   if (pad.mapping !== "standard") return letGo;
@@ -64,6 +68,7 @@ export function readPad(pad: Gamepad, calibration: Calibration | null): Held {
     steer: -stick(pad.axes[0] ?? 0),
     throttle: pad.buttons[7]?.value ?? 0,
     brake: pad.buttons[6]?.value ?? 0,
+    clutch: pad.buttons[0]?.value ?? 0, // A or cross
   };
 }
 

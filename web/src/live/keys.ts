@@ -9,6 +9,9 @@ export const liveKeys: readonly { readonly keys: string; readonly meaning: strin
   { keys: "↓ S Space", meaning: "brake" },
   { keys: "← → A D", meaning: "steer" },
   { keys: "R", meaning: "reverse on and off, at a standstill" },
+  { keys: "E Q", meaning: "gear up, gear down: by hand from then on" },
+  { keys: "G", meaning: "selector: drive, manual, neutral, reverse" },
+  { keys: "C", meaning: "clutch, as long as it is held" },
   { keys: "Enter Backspace", meaning: "back to the start" },
   { keys: "P", meaning: "pause" },
   { keys: "1 2 3 4 5", meaning: "camera: chase, orbit, top, driver, wheel" },
@@ -20,12 +23,14 @@ export interface KeyListener {
   reset(): void;
   togglePause(): void;
   toggleReverse(): void;
+  nextSelector(): void;
+  shift(by: 1 | -1): void;
   chooseCamera(mode: CameraMode): void;
   toggleMenu(): void;
   closePanels(): void;
 }
 
-type Pull = "left" | "right" | "throttle" | "brake";
+type Pull = "left" | "right" | "throttle" | "brake" | "clutch";
 const pulls: Readonly<Record<string, Pull>> = {
   ArrowLeft: "left",
   KeyA: "left",
@@ -36,7 +41,9 @@ const pulls: Readonly<Record<string, Pull>> = {
   ArrowDown: "brake",
   KeyS: "brake",
   Space: "brake",
+  KeyC: "clutch",
 };
+const shifts: Readonly<Record<string, 1 | -1>> = { KeyE: 1, KeyQ: -1 }; // beside the keys that steer
 
 // Keys that the focused control needs for itself.
 function belongsTo(target: EventTarget | null, key: string): boolean {
@@ -55,7 +62,8 @@ export class Keys {
 
   get held(): Held {
     const on = (pull: Pull): number => (this.holds(pull) ? 1 : 0);
-    return { steer: on("left") - on("right"), throttle: on("throttle"), brake: on("brake") };
+    const steer = on("left") - on("right");
+    return { steer, throttle: on("throttle"), brake: on("brake"), clutch: on("clutch") };
   }
 
   release(): void {
@@ -74,6 +82,9 @@ export class Keys {
       if (event.repeat || this.down.has(event.code)) return;
       this.down.add(event.code);
       this.listener.held(event.timeStamp, true);
+    } else if (event.code in shifts) {
+      event.preventDefault();
+      if (!event.repeat) this.listener.shift(shifts[event.code] ?? 1);
     } else if (!event.repeat && this.command(event.key)) {
       event.preventDefault();
     }
@@ -94,6 +105,7 @@ export class Keys {
       Backspace: () => this.listener.reset(),
       p: () => this.listener.togglePause(),
       r: () => this.listener.toggleReverse(),
+      g: () => this.listener.nextSelector(),
       m: () => this.listener.toggleMenu(),
       Escape: () => this.listener.closePanels(),
     };

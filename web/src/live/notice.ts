@@ -12,8 +12,9 @@ export class Notices {
   private readonly toast = element("p", { class: "toast", role: "status", hidden: true });
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor() {
-    this.root = element("div", { class: "notices" }, this.box, this.toast);
+  // below: what else stands in the middle of the picture
+  constructor(below: HTMLElement) {
+    this.root = element("div", { class: "notices" }, this.box, this.toast, below);
   }
 
   // Stays until it is shown anew; title "": none.

@@ -1,14 +1,21 @@
 // The car that the wire tells of, in the 3D view. Without WebGL there is none, and the instruments still work.
-import type { RoadTile } from "../document";
+import type { RoadScene, RoadTile } from "../document";
 import type { CameraMode } from "../scene/camera";
 import { Car } from "../scene/car";
 import type { CarPart } from "../scene/car";
+import { noMarkings } from "../scene/markings";
 import type { Stage } from "../scene/stage";
 import type { LiveFrame } from "./frame";
-import type { CarMessage } from "./protocol";
+import type { CarMessage, TestCourse } from "./protocol";
 
 const tileReach = 160; // beyond it tiles are dropped; the program sends them again when they matter [m]
 const longestStep = 0.2; // of the wheels' turning, where the picture hangs [s]
+
+// With the cones of a course, each of them once.
+function roadOf(road: RoadScene, course: TestCourse | null): RoadScene {
+  const cones = new Map([...road.cones, ...(course?.cones ?? [])].map((cone) => [cone.join(" "), cone]));
+  return { ...road, cones: [...cones.values()] };
+}
 
 export class Picture {
   framesDrawn = 0;
@@ -19,7 +26,7 @@ export class Picture {
 
   constructor(private readonly stage: Stage | null) {}
 
-  setCar({ scene }: CarMessage, frame: LiveFrame): void {
+  setCar({ scene, course = null }: CarMessage, frame: LiveFrame): void {
     const stage = this.stage;
     if (!stage) return;
     if (this.car) {
@@ -27,7 +34,7 @@ export class Picture {
       this.car.dispose();
     }
     stage.clearTiles();
-    stage.setRoad(scene.road);
+    stage.setRoad(roadOf(scene.road, course), course ?? noMarkings);
     this.car = new Car(scene, frame.names);
     for (const part of this.hidden) this.car.show(part, false);
     this.carTime = NaN;

@@ -6,7 +6,11 @@
 //          then one f32 for each channel of the car
 //   tile   u32 2, u32 car, i32 ix, i32 iy, then 65 * 65 f32 heights (document.ts). Tiles come as the car comes near;
 //          what is farther than 96 m from it is forgotten and would come again
-import type { Channel, Scene } from "../document";
+//
+// An instrument looks up its channel by name and shows nothing where the car has none. A power unit named UNIT tells
+// UNIT.speed [rpm], UNIT.torque [N m], UNIT.throttle [1], UNIT.gear (-1 reverse, 0 neutral, 1 ...) and UNIT.clutch_torque [N m];
+// input.steering_torque [N m] is what the driver's hands hold.
+import type { Channel, Scene, Verdict } from "../document";
 
 export const frameKind = 1;
 export const tileKind = 2;
@@ -17,6 +21,9 @@ export interface Choice {
   readonly name: string; // for people
 }
 
+// A road whose id begins so is the course of a maneuver: the menu lists it under "Courses".
+export const courseRoad = "maneuver:"; // "maneuver:double_lane_change"
+
 // First message to every page.
 export interface Hello {
   readonly type: "hello";
@@ -24,6 +31,32 @@ export interface Hello {
   readonly page: number; // this page's number
   readonly vehicles: readonly Choice[];
   readonly roads: readonly Choice[];
+}
+
+// What moves a car whose wheels are not driven by a mere torque.
+export interface Driveline {
+  readonly units: readonly PowerUnit[]; // at least one; the first is the one whose gears the person shifts
+  readonly gears: number; // forward
+  readonly reverse: boolean; // there is a reverse gear
+  readonly clutch: boolean; // one that a foot can open
+  readonly automatic: boolean; // the gearbox shifts by itself; otherwise, in "drive", the program shifts as a driver would
+}
+
+export interface PowerUnit {
+  readonly name: string; // prefix of its channels
+  readonly idle: number; // [rpm]; 0: it may stand still
+  readonly most: number; // [rpm]
+}
+
+// What is to be driven through: a maneuver on the ground. A cone that stands in scene.road.cones too is drawn once.
+export interface TestCourse {
+  readonly id: string; // "double_lane_change"; what its result names
+  readonly name: string; // for people, short: "ISO 3888-1"
+  readonly title: string; // "Double lane change"
+  readonly summary: string; // one sentence: what to do
+  readonly cones: readonly (readonly [number, number])[]; // x, y [m]
+  readonly boundaries: readonly (readonly [number, number, number, number])[]; // x0, y0, x1, y1: not to be crossed [m]
+  readonly line: readonly (readonly [number, number])[]; // to follow; []: none [m]
 }
 
 // Whenever a car is put on a road, and to every page that comes later.
@@ -36,6 +69,27 @@ export interface CarMessage {
   readonly steering_lock_deg: number; // of the steering wheel, each way
   readonly channels: readonly Channel[]; // of a frame, in order; time is not among them
   readonly scene: Scene;
+  readonly driveline?: Driveline | null; // null or left out: a mere torque drives the car, and `reverse` turns it
+  readonly course?: TestCourse | null; // null or left out: nothing is to be driven through
+}
+
+// When the course has been driven through, or cannot be any more; again to a page that comes later, until the car is back at
+// its start. A new car takes it away, and so does time that runs backward.
+export interface CourseResult {
+  readonly type: "result";
+  readonly course: string; // its id
+  readonly finished: boolean; // driven to its end
+  readonly passed: boolean | null; // null: there is nothing to pass
+  readonly values: readonly ResultValue[];
+  readonly verdicts: readonly Verdict[];
+  readonly time: number; // from entering the course to its end, or as far as it went [s]
+}
+
+export interface ResultValue {
+  readonly name: string;
+  readonly unit: string; // "1" or "": none
+  readonly value: number | null; // null: the run did not show it
+  readonly meaning: string;
 }
 
 export type PauseReason = "" | "driver" | "nobody" | "ended"; // running, paused by the driver, no page drives, the car's run ended
@@ -67,7 +121,9 @@ export interface Refusal {
   readonly message: string;
 }
 
-export type ServerMessage = Hello | CarMessage | Status | Refusal;
+export type ServerMessage = Hello | CarMessage | CourseResult | Status | Refusal;
+
+export type Selector = "drive" | "neutral" | "reverse" | "manual";
 
 // Pedals and wheel as the person holds them; the program turns keys into the motion of hands. Only the driver's are heard.
 export interface InputMessage {
@@ -77,7 +133,11 @@ export interface InputMessage {
   readonly steer: number; // -1 full right to 1 full left
   readonly throttle: number; // 0 to 1
   readonly brake: number; // 0 to 1
-  readonly reverse: boolean;
+  readonly reverse: boolean; // with a driveline the same as selector "reverse"
+  // All three where the car has a driveline, none of them where it has not.
+  readonly selector?: Selector;
+  readonly gear?: number; // wanted where the selector is at "manual", 1 to its gears; 1 elsewhere
+  readonly clutch?: number; // pedal, 0 to 1 all the way down; 0 leaves the clutch to the program
 }
 
 export type ClientMessage =

@@ -3,7 +3,7 @@ import type { RoadTile } from "../document";
 import { LiveFrame, readTile } from "./frame";
 import { Link } from "./link";
 import type { LinkState } from "./link";
-import type { CarMessage, ClientMessage, Hello, ServerMessage, Status } from "./protocol";
+import type { CarMessage, ClientMessage, CourseResult, Hello, ServerMessage, Status } from "./protocol";
 
 export type Role = "driver" | "watcher" | "nobody"; // nobody: no page drives
 
@@ -12,6 +12,7 @@ export interface SessionListener {
   greeted(hello: Hello): void;
   carChanged(car: CarMessage, frame: LiveFrame): void;
   tileArrived(tile: RoadTile): void;
+  courseEnded(car: CarMessage, result: CourseResult): void;
   statusChanged(status: Status): void;
   refused(message: string): void;
 }
@@ -72,6 +73,9 @@ export class Session {
         this.car = message;
         this.frame = new LiveFrame(message);
         return this.listener.carChanged(message, this.frame);
+      case "result":
+        if (this.car?.course?.id === message.course) this.listener.courseEnded(this.car, message);
+        return;
       case "status":
         this.status = message;
         return this.listener.statusChanged(message);

@@ -23,7 +23,20 @@ export class TouchControls {
   private throttle = 0;
   private brake = 0;
 
-  constructor(private readonly changed: (at: number, press: boolean) => void) {
+  private readonly shifter: HTMLElement;
+
+  constructor(
+    private readonly changed: (at: number, press: boolean) => void,
+    shift: (by: 1 | -1) => void,
+  ) {
+    const button = (sign: string, label: string, by: 1 | -1): HTMLElement =>
+      element("button", { type: "button", "aria-label": label, onclick: () => shift(by) }, sign);
+    this.shifter = element(
+      "div",
+      { class: "shifter", role: "group", "aria-label": "Gears", hidden: true },
+      button("+", "Gear up", 1),
+      button("−", "Gear down", -1),
+    );
     this.root = element(
       "div",
       { class: "touch" },
@@ -31,6 +44,7 @@ export class TouchControls {
       element(
         "div",
         { class: "pedals" },
+        this.shifter,
         this.pedal("Brake", (value) => (this.brake = value)),
         this.pedal("Throttle", (value) => (this.throttle = value)),
       ),
@@ -38,7 +52,11 @@ export class TouchControls {
   }
 
   get held(): Held {
-    return { steer: this.steer, throttle: this.throttle, brake: this.brake };
+    return { steer: this.steer, throttle: this.throttle, brake: this.brake, clutch: 0 };
+  }
+
+  set shifts(on: boolean) {
+    this.shifter.hidden = !on;
   }
 
   private wheel(): HTMLElement {

@@ -5,21 +5,21 @@ import { element } from "../dom";
 import { onThemeChange } from "../theme";
 import { nearest, samplesOf, viewOf, visible, type Samples, type View, type Zoom } from "./curves";
 import { saveCsv, savePicture } from "./files";
+import { conesOf, endsOf, mapHeight, namesOf, spreads } from "./ground";
 import { createLegend } from "./legend";
 import { reading } from "./numbers";
-import { dataOf, drawPicture, framePicture, optionsOf, type Setting } from "./picture";
+import { dataOf, drawPicture, framePicture, optionsOf, showView, type Setting } from "./picture";
 import { fitToWidth } from "./plot";
 import { announce, onPrint, shareCursor } from "./sharing";
 import { walk, type Place } from "./walk";
 import { chartText, sampleText, valueText } from "./words";
 import "./chart.css";
 
-const heightFor = (width: number): number => Math.round(Math.min(320, Math.max(190, width * 0.58)));
 const onPaper = { width: 340, height: 200, dots: 3 }; // [px] of half a page, and how many dots each
 const inFile = { width: 640, height: 360, dots: 2 };
 
 export const createChart = (block: ChartBlock, loaded: LoadedDocument): HTMLElement =>
-  new Chart(block, samplesOf(block, loaded)).root;
+  new Chart(block, samplesOf(block, loaded), conesOf(block, loaded)).root;
 
 class Chart {
   readonly root: HTMLElement;
@@ -32,6 +32,9 @@ class Chart {
     "Reset zoom",
   );
   private readonly legend;
+  private readonly around: readonly Samples[];
+  private readonly whole: View; // not zoomed
+  private readonly wide: boolean; // has a row for itself
   private readonly unnamed: boolean;
   private readonly loops: boolean;
   private readonly shown: boolean[];
@@ -44,11 +47,14 @@ class Chart {
   constructor(
     private readonly block: ChartBlock,
     private readonly curves: readonly Samples[],
+    private readonly cones: readonly Samples[],
   ) {
+    this.around = [...cones, ...endsOf(block)];
     this.unnamed = curves.length === 1 && curves[0]?.label === "";
-    this.loops = curves.some(({ rising }) => !rising);
+    this.loops = block.equal_axes === true || curves.some(({ rising }) => !rising);
     this.shown = curves.map(() => true);
-    this.view = viewOf(block, curves, null);
+    this.view = this.whole = viewOf(block, curves, null, this.around);
+    this.wide = block.equal_axes === true && spreads(this.whole);
     this.legend = createLegend(
       curves.map(({ label }, color) => ({ label, color })),
       (index, shown) => this.switchCurve(index, shown),
@@ -67,7 +73,7 @@ class Chart {
       element("button", { type: "button", "aria-label": `${what} of ${title}`, title: what, onclick }, name);
     return element(
       "figure",
-      { class: "chart" },
+      { class: this.wide ? "chart wide" : "chart" },
       element(
         "figcaption",
         {},
@@ -81,16 +87,35 @@ class Chart {
         ),
       ),
       this.stage,
-      this.unnamed ? null : this.legend.root,
+      this.names(),
     );
   }
 
+  private names(): HTMLElement | null {
+    const cones = createLegend(namesOf(this.cones)).root;
+    if (this.unnamed) return cones.childElementCount > 0 ? cones : null;
+    this.legend.root.append(...cones.children);
+    return this.legend.root;
+  }
+
+  private height(width: number): number {
+    if (this.block.equal_axes) return mapHeight(this.whole, width);
+    return Math.round(Math.min(320, Math.max(190, width * 0.58)));
+  }
+
   private setting(width: number, height: number, factor: number): Setting {
-    return { block: this.block, curves: this.curves, view: () => this.view, width, height, factor };
+    const { block, curves, cones } = this;
+    return { block, curves, cones, view: () => this.view, width, height, factor };
+  }
+
+  // For paper and for a file; `height` is that of charts that are no maps.
+  private picture({ width, height, dots }: typeof inFile): HTMLCanvasElement {
+    const own = this.block.equal_axes ? mapHeight(this.whole, width) : height;
+    return drawPicture(this.setting(width, own, dots / devicePixelRatio), this.shown);
   }
 
   private options(): uPlot.Options {
-    const options = optionsOf(this.setting(360, heightFor(360), 1));
+    const options = optionsOf(this.setting(360, this.height(360), 1));
     return {
       ...options,
       cursor: {
@@ -109,15 +134,14 @@ class Chart {
   }
 
   private listen(): void {
-    fitToWidth(this.plot, this.stage, heightFor);
+    fitToWidth(this.plot, this.stage, (width) => this.height(width), () => this.block.equal_axes && this.show());
     onThemeChange(() => this.plot.redraw(false));
     this.stage.addEventListener("keydown", (event) => this.press(event));
     this.stage.addEventListener("pointermove", () => (this.place = null));
     this.stage.addEventListener("blur", () => this.hideCursor());
     onPrint({
       prepare: () => {
-        const { width, height, dots } = onPaper;
-        const picture = drawPicture(this.setting(width, height, dots / devicePixelRatio), this.shown);
+        const picture = this.picture(this.wide ? { ...onPaper, width: 2 * onPaper.width } : onPaper);
         picture.className = "on-paper";
         this.stage.after(picture);
       },
@@ -126,27 +150,22 @@ class Chart {
   }
 
   private save(): void {
-    const { width, height, dots } = inFile;
-    const picture = drawPicture(this.setting(width, height, dots / devicePixelRatio), this.shown);
     const seen = [...this.curves.keys()].filter((i) => this.shown[i]);
-    const entries = seen.flatMap((color) => ({ label: this.curves[color]?.label ?? "", color }));
-    savePicture(this.block.title, framePicture(picture, this.block.title, entries, dots));
+    const entries = seen.map((color) => ({ label: this.curves[color]?.label ?? "", color }));
+    const { title } = this.block;
+    savePicture(title, framePicture(this.picture(inFile), title, [...entries, ...namesOf(this.cones)], inFile.dots));
   }
 
   private show(): void {
     const seen = this.curves.filter((_curve, i) => this.shown[i]);
-    this.view = viewOf(this.block, seen.length > 0 ? seen : this.curves, this.zoom);
-    const [[left, right], [low, high]] = [this.view.x, this.view.y];
-    this.plot.batch(() => {
-      this.plot.setScale("x", { min: left, max: right });
-      this.plot.setScale("y", { min: low, max: high });
-    });
+    const wanted = viewOf(this.block, seen.length > 0 ? seen : this.curves, this.zoom, this.around);
+    this.view = showView(this.plot, this.block, wanted);
     this.reset.hidden = this.zoom === null;
     this.describe();
   }
 
   private describe(): void {
-    this.stage.setAttribute("aria-label", chartText(this.block, this.curves, this.view));
+    this.stage.setAttribute("aria-label", chartText(this.block, this.curves, this.cones, this.view));
   }
 
   private switchCurve(index: number, shown: boolean): void {
@@ -209,17 +228,17 @@ class Chart {
   private press(event: KeyboardEvent): void {
     if (event.altKey || event.ctrlKey || event.metaKey) return;
     if (event.key === "Escape") return this.zoomTo(null);
-    const ground = { curves: this.curves, shown: this.shown, x: this.view.x };
+    const curves = [...this.curves, ...this.cones]; // cones are read like the samples of one more curve
+    const ground = { curves, shown: curves.map((_one, i) => this.shown[i] ?? true), x: this.view.x };
     const place = walk(ground, this.place, event.key, event.shiftKey ? 10 : 1);
     if (!place) return;
     event.preventDefault();
     event.stopPropagation(); // the player may move by these keys too
-    this.readAloud(place);
+    const curve = curves[place.curve];
+    if (curve) this.readAloud(place, curve);
   }
 
-  private readAloud(place: Place): void {
-    const curve = this.curves[place.curve];
-    if (!curve) return;
+  private readAloud(place: Place, curve: Samples): void {
     this.place = place;
     const { plot } = this;
     const { [place.sample]: x = NaN } = curve.x;

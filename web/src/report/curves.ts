@@ -67,15 +67,25 @@ function extent(curves: readonly Samples[], of: "x" | "y", [from, to]: Limits): 
 
 const everywhere: Limits = [-Infinity, Infinity];
 
-export function viewOf(block: ChartBlock, curves: readonly Samples[], zoom: Zoom | null): View {
+// `around`: what else is to be seen, cones and the like.
+export function viewOf(
+  block: ChartBlock,
+  curves: readonly Samples[],
+  zoom: Zoom | null,
+  around: readonly Samples[] = [],
+): View {
+  const all = [...curves, ...around];
   const round = ([low, high]: Limits, logarithmic: boolean): Limits =>
     logarithmic ? roundLogarithmicLimits(low, high) : roundLimits(low, high);
-  const [first, last] = extent(curves, "x", everywhere);
+  const [first, last] = extent(all, "x", everywhere);
   const marks = block.marks.map((mark) => mark.x); // a limit that no curve reaches is worth seeing
   const [low, high] = [Math.min(first, ...marks), Math.max(last, ...marks)];
-  const loops = curves.some((curve) => !curve.rising);
+  const loops = block.equal_axes === true || curves.some((curve) => !curve.rising);
   const x = zoom?.x ?? (low < high && !loops ? [low, high] : round([low, high], block.x.logarithmic));
-  return { x, y: zoom?.y ?? round(extent(curves, "y", x), block.y.logarithmic) };
+  const limits = (block.horizontal_marks ?? []).map((mark) => mark.y);
+  const [bottom, top] = extent(all, "y", x);
+  const y: Limits = [Math.min(bottom, ...limits), Math.max(top, ...limits)];
+  return { x, y: zoom?.y ?? round(y, block.y.logarithmic) };
 }
 
 function nearestInRising(x: Column, value: number): number {

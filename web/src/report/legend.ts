@@ -4,7 +4,7 @@ import { seriesCount, seriesDash } from "../theme";
 
 export interface LegendEntry {
   readonly label: string;
-  readonly color: number; // index of seriesColor() and seriesDash()
+  readonly color: number | null; // index of seriesColor() and seriesDash(); null: cones
 }
 
 export interface Legend {
@@ -12,19 +12,25 @@ export interface Legend {
   setValues(values: readonly string[]): void; // []: none
 }
 
-const sampleOf = (index: number): SVGElement =>
+const coneSample = (): SVGElement =>
+  drawing("path", { d: "M14 0L18.5 8H9.5Z", fill: "var(--cone)", stroke: "var(--ink)", "stroke-width": 0.8 });
+
+const lineSample = (index: number): SVGElement =>
+  drawing("line", {
+    x1: 0,
+    y1: 4,
+    x2: 28,
+    y2: 4,
+    stroke: `var(--series-${(index % seriesCount) + 1})`,
+    "stroke-width": 2,
+    "stroke-dasharray": seriesDash(index).join(" ") || null,
+  });
+
+const sampleOf = (index: number | null): SVGElement =>
   drawing(
     "svg",
-    { class: "sample", viewBox: "0 0 28 6", width: 28, height: 6, "aria-hidden": "true" },
-    drawing("line", {
-      x1: 0,
-      y1: 3,
-      x2: 28,
-      y2: 3,
-      stroke: `var(--series-${(index % seriesCount) + 1})`,
-      "stroke-width": 2,
-      "stroke-dasharray": seriesDash(index).join(" ") || null,
-    }),
+    { class: "sample", viewBox: "0 -1 28 10", width: 28, height: 10, "aria-hidden": "true" },
+    index === null ? coneSample() : lineSample(index),
   );
 
 export function createLegend(

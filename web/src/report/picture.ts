@@ -4,6 +4,7 @@ import type { ChartBlock } from "../document";
 import { color, seriesColor, seriesDash } from "../theme";
 import { visible, type Samples, type View } from "./curves";
 import type { LegendEntry } from "./legend";
+import { drawCone, drawGround, leveled } from "./ground";
 import { drawFlags, flagsOf, heightOf, type Flag } from "./marks";
 import { drawAxisName } from "./plot";
 import { axisOf, curveOf, font, textWidth } from "./style";
@@ -27,16 +28,31 @@ function seriesOf(curve: Samples, index: number, factor: number): uPlot.Series {
   };
 }
 
+// Of a map the place of the drawing must not hang on its numbers, which hang on the place.
+const mapAxis = (factor: number): { readonly size: number } => ({ size: 46 * factor });
+
+// On the plot as it is laid out; a map shows more than it was asked for.
+export function showView(plot: uPlot, block: ChartBlock, wanted: View): View {
+  const view = block.equal_axes ? leveled(wanted, plot.bbox) : wanted;
+  const [[left, right], [low, high]] = [view.x, view.y];
+  plot.batch(() => {
+    plot.setScale("x", { min: left, max: right });
+    plot.setScale("y", { min: low, max: high });
+  });
+  return view;
+}
+
 export interface Setting {
   readonly block: ChartBlock;
   readonly curves: readonly Samples[];
+  readonly cones: readonly Samples[];
   readonly view: () => View;
   readonly width: number;
   readonly height: number;
   readonly factor?: number;
 }
 
-export function optionsOf({ block, curves, view, width, height, factor = 1 }: Setting): uPlot.Options {
+export function optionsOf({ block, curves, cones, view, width, height, factor = 1 }: Setting): uPlot.Options {
   const scale = (which: "x" | "y"): uPlot.Scale => ({
     time: false,
     auto: false,
@@ -55,12 +71,15 @@ export function optionsOf({ block, curves, view, width, height, factor = 1 }: Se
     scales: { x: scale("x"), y: scale("y") },
     axes: [
       axisOf({ scale: "x", label: block.x.label, logarithmic: block.x.logarithmic, factor }),
-      axisOf({ scale: "y", logarithmic: block.y.logarithmic, factor }),
+      axisOf({ scale: "y", logarithmic: block.y.logarithmic, factor, ...(block.equal_axes ? mapAxis(factor) : {}) }),
     ],
     series: [{}, ...curves.map((curve, i) => seriesOf(curve, i, factor))],
     hooks: {
       drawAxes: [(plot) => drawAxisName(plot, block.y.label, factor)],
-      draw: [(plot) => drawFlags(plot, flags(plot), factor * devicePixelRatio)],
+      draw: [
+        (plot) => drawGround(plot, block, cones, factor * devicePixelRatio),
+        (plot) => drawFlags(plot, flags(plot), factor * devicePixelRatio),
+      ],
     },
   };
 }
@@ -71,6 +90,7 @@ export function drawPicture(setting: Setting, shown: readonly boolean[]): HTMLCa
   shown.forEach((show, i) => Object.assign(options.series[i + 1] ?? {}, { show }));
   const plot = new uPlot(options, dataOf(setting.curves));
   plot.batch(() => undefined);
+  if (setting.block.equal_axes) showView(plot, setting.block, setting.view());
   const picture = document.createElement("canvas");
   picture.width = plot.ctx.canvas.width;
   picture.height = plot.ctx.canvas.height;
@@ -102,16 +122,18 @@ export function framePicture(
   ctx.font = font(unit * 1.25, 600);
   ctx.fillText(title, margin, margin + line / 2);
   ctx.font = font(unit);
-  ctx.lineWidth = 2 * unit;
   named.forEach(({ label, color: index }, i) => {
     const y = plot.height + margin + line * (2 + i);
+    ctx.fillStyle = color("ink");
+    ctx.fillText(label, margin + 36 * unit, y);
+    if (index === null) return drawCone(ctx, margin + 14 * unit, y, unit);
+    ctx.lineWidth = 2 * unit;
     ctx.strokeStyle = seriesColor(index);
     ctx.setLineDash(seriesDash(index).map((length) => length * unit));
     ctx.beginPath();
     ctx.moveTo(margin, y);
     ctx.lineTo(margin + 28 * unit, y);
     ctx.stroke();
-    ctx.fillText(label, margin + 36 * unit, y);
   });
   return framed;
 }

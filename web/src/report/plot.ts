@@ -50,10 +50,17 @@ export function drawAxisName(plot: uPlot, name: string, factor = 1): void {
 }
 
 // Follows the width of its host.
-export function fitToWidth(plot: uPlot, host: HTMLElement, height: (width: number) => number): () => void {
+export function fitToWidth(
+  plot: uPlot,
+  host: HTMLElement,
+  height: (width: number) => number,
+  fitted: () => void = () => undefined,
+): () => void {
   const observer = new ResizeObserver(([entry]) => {
     const width = Math.floor(entry?.contentRect.width ?? 0);
-    if (width > 0) plot.setSize({ width, height: height(width) });
+    if (width === 0) return;
+    plot.setSize({ width, height: height(width) });
+    fitted();
   });
   observer.observe(host);
   return () => observer.disconnect();

@@ -4,12 +4,13 @@ import type { Block, LoadedDocument } from "../document";
 import { element } from "../dom";
 import { createChart } from "./chart";
 import { createTable } from "./table";
+import { createVerdicts } from "./verdicts";
 
 // Puts the player where the document wants it.
 export type PlaceReplay = (host: HTMLElement) => void;
 
 // Four charts stand two by two.
-const columnsFor = (count: number): number => (count === 4 ? 2 : Math.min(3, count));
+const columnsFor = (count: number): number => (count === 4 ? 2 : Math.max(Math.min(3, count), 1));
 
 function elementOf(block: Block, loaded: LoadedDocument, placeReplay: PlaceReplay): HTMLElement {
   switch (block.kind) {
@@ -21,6 +22,8 @@ function elementOf(block: Block, loaded: LoadedDocument, placeReplay: PlaceRepla
       return createChart(block, loaded);
     case "table":
       return createTable(block);
+    case "verdicts":
+      return createVerdicts(block.list);
     case "replay": {
       const host = element("section", { class: "replay", "aria-label": "Replay" });
       placeReplay(host);
@@ -45,7 +48,7 @@ export function renderReport(loaded: LoadedDocument, blocks: readonly Block[], p
   for (const group of neighbors(blocks)) {
     const made = group.map((block) => elementOf(block, loaded, placeReplay));
     const kind = group[0]?.kind;
-    const style = `--columns: ${columnsFor(made.length)}`;
+    const style = `--columns: ${columnsFor(made.filter((one) => !one.classList.contains("wide")).length)}`;
     if (kind === "chart") report.append(element("div", { class: "charts", style }, ...made));
     else if (kind === "table") report.append(element("div", { class: "tables" }, ...made));
     else report.append(...made);

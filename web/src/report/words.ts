@@ -16,12 +16,34 @@ export function valueText(axis: Axis, value: number, [low, high]: Limits): strin
 const rangeText = (axis: Axis, limits: Limits): string =>
   `${partsOf(axis)[0]} from ${valueText(axis, limits[0], limits)} to ${valueText(axis, limits[1], limits)}`;
 
-export function chartText(block: ChartBlock, curves: readonly Samples[], view: View): string {
+const counted = (count: number, one: string): string => `${count} ${one}${count === 1 ? "" : "s"}`;
+
+// Cones, barriers and limits; [] where there are none.
+function groundTexts({ y, lines = [], horizontal_marks = [] }: ChartBlock, cones: readonly Samples[], view: View): string[] {
+  const standing = cones.reduce((sum, { x }) => sum + x.length, 0);
+  const things = [
+    standing > 0 ? counted(standing, "cone") : "",
+    lines.length > 0 ? counted(lines.length, "barrier") : "",
+  ].filter((text) => text !== "");
+  const limits = horizontal_marks.map((mark) => `${mark.label} at ${valueText(y, mark.y, view.y)}`);
+  return [
+    ...(things.length > 0 ? [`On the ground: ${things.join(" and ")}`] : []),
+    ...(limits.length > 0 ? [`Limits: ${limits.join(", ")}`] : []),
+  ];
+}
+
+export function chartText(
+  block: ChartBlock,
+  curves: readonly Samples[],
+  cones: readonly Samples[],
+  view: View,
+): string {
   const names = curves.map(({ label }) => label).filter((label) => label !== "");
-  const count = curves.length === 1 ? "1 curve" : `${curves.length} curves`;
+  const count = counted(curves.length, "curve");
   const named = names.length > 0 ? `${count}: ${names.join(", ")}` : count;
   return [
     `${block.title}. ${partsOf(block.y)[0]} over ${partsOf(block.x)[0]}, ${named}`,
+    ...groundTexts(block, cones, view),
     `Shown: ${rangeText(block.x, view.x)}, ${rangeText(block.y, view.y)}`,
     "Arrow keys read the curves.",
   ].join(". ");

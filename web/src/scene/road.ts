@@ -3,6 +3,7 @@ import * as THREE from "three";
 import { tileSize, type RoadScene, type RoadTile } from "../document";
 import { color } from "../theme";
 import { GroundPaint } from "./ground";
+import { MarkingPaint, noMarkings, type Markings } from "./markings";
 import * as shapes from "./shapes";
 import { makeTile, tileHeight } from "./tiles";
 
@@ -30,6 +31,7 @@ export class Road {
   private paint: GroundPaint;
   private readonly plane: THREE.Mesh;
   private readonly tiles = new Map<string, Laid>();
+  private readonly markings = new MarkingPaint();
   private cones: THREE.InstancedMesh[] = [];
   private readonly coneMaterial = new THREE.MeshStandardMaterial({ roughness: 0.7 });
   private readonly bandMaterial = new THREE.MeshStandardMaterial({ roughness: 0.6, color: 0xf4f2ee });
@@ -39,11 +41,11 @@ export class Road {
     this.plane = new THREE.Mesh(planeShape(), this.paint.plane);
     this.plane.frustumCulled = false;
     this.plane.renderOrder = -10;
-    this.root.add(this.plane);
+    this.root.add(this.plane, this.markings.root);
     this.set(road);
   }
 
-  set(road: RoadScene): void {
+  set(road: RoadScene, markings: Markings = noMarkings): void {
     this.clearTiles();
     this.road = road;
     this.paint.dispose();
@@ -52,6 +54,7 @@ export class Road {
     // Tiles may lie below the plane that stands in for the rest of an uneven road.
     this.paint.plane.depthWrite = !road.uneven;
     this.layCones();
+    this.markings.set(markings, (x, y) => this.height(x, y));
     this.setTheme();
   }
 
@@ -63,6 +66,7 @@ export class Road {
     this.root.add(mesh);
     this.tiles.set(key, { mesh, heights: tile.heights });
     if (this.cones.length > 0) this.standCones();
+    this.markings.lay();
   }
 
   // Drops tiles farther than `reach` along either axis.
@@ -98,12 +102,13 @@ export class Road {
   setTheme(): void {
     this.paint.setTheme();
     this.coneMaterial.color.set(color("cone"));
+    this.markings.setTheme();
   }
 
   dispose(): void {
     this.clearTiles();
     this.dropCones();
-    for (const thing of [this.paint, this.plane.geometry, this.coneMaterial, this.bandMaterial]) thing.dispose();
+    for (const thing of [this.paint, this.markings, this.plane.geometry, this.coneMaterial, this.bandMaterial]) thing.dispose();
   }
 
   private drop(tile: Laid | undefined): void {

@@ -7,6 +7,7 @@ import { onThemeChange } from "../theme";
 import { CameraRig, type Shot } from "./camera";
 import type { Car } from "./car";
 import { listenToGestures } from "./gestures";
+import { noMarkings, type Markings } from "./markings";
 import { Road } from "./road";
 import { Sharpness, drawsInSoftware, paused } from "./sharpness";
 import { Sky } from "./sky";
@@ -93,8 +94,8 @@ export class Stage {
   }
 
   // And forgets all tiles.
-  setRoad(road: RoadScene): void {
-    this.road.set(road);
+  setRoad(road: RoadScene, markings: Markings = noMarkings): void {
+    this.road.set(road, markings);
     this.onChange();
   }
 

@@ -1,0 +1,253 @@
+// Standard maneuvers: `hamilcar run --maneuver NAME --vehicle FILE`, scenario files with a [maneuver], `hamilcar maneuvers` and
+// `hamilcar compare`.
+#include "maneuver.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "hamilcar/io/result_file.hpp"
+#include "hamilcar/io/spelling.hpp"
+#include "hamilcar/io/vehicle_file.hpp"
+#include "hamilcar/maneuver/outcome_file.hpp"
+#include "page_run.hpp"
+#include "progress.hpp"
+
+namespace hamilcar::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const Maneuver& require_maneuver(const std::string& name) {
+    if (const Maneuver* maneuver = find_maneuver(name)) return *maneuver;
+    std::vector<std::string_view> names;
+    for (const Maneuver& maneuver : maneuvers()) names.push_back(maneuver.name);
+    const auto nearest = io::nearest_word(name, names);
+    throw io::Error(io::ExitCode::bad_file,
+                    fmt::format("there is no maneuver '{}': expected {}{}", name, io::quoted_list(names),
+                                nearest ? fmt::format("; did you mean '{}'?", *nearest) : ""),
+                    "maneuver.name");
+}
+
+void check_obstacle(const Maneuver& maneuver, const VehicleDescription& vehicle) {
+    const std::string obstacle = maneuver.obstacle(vehicle);
+    if (obstacle.empty()) return;
+    throw io::Error(io::ExitCode::bad_file,
+                    fmt::format("{} cannot do the maneuver '{}': {}", vehicle.name, maneuver.name, obstacle),
+                    "maneuver.name");
+}
+
+// Runs `f`; an error at a key of the scenario gets the key's place in front.
+template <class F>
+auto at_place(const std::string& file, F&& f) {
+    try {
+        return f();
+    } catch (const io::Error& error) {
+        if (error.key().empty()) throw;
+        throw io::Error(error.code(), io::place_of(file, error.key()) + ": " + error.what());
+    }
+}
+
+// "speed=80": as typed after --set.
+Settings typed_settings(const std::vector<std::string>& words) {
+    Settings out;
+    for (const std::string& word : words) {
+        const std::size_t at = word.find('=');
+        char* end = nullptr;
+        const double value = at == std::string::npos ? 0 : std::strtod(word.c_str() + at + 1, &end);
+        if (at == std::string::npos || end == word.c_str() + at + 1 || *end != '\0') {
+            throw io::Error(io::ExitCode::usage, fmt::format("--set '{}': expected NAME=NUMBER", word));
+        }
+        out[word.substr(0, at)] = value;
+    }
+    return out;
+}
+
+void write_film(const std::string& path, const io::PageRun& run) {
+    std::vector<io::Column> columns(run.columns.begin() + 1, run.columns.end());
+    const auto file = io::open_netcdf(path, columns, run.name, {{io::scene_attribute, run.scene}});
+    std::vector<double> row(columns.size());
+    for (std::size_t i = 0; i < run.values[0].size(); ++i) {
+        for (std::size_t k = 0; k < row.size(); ++k) row[k] = run.values[k + 1][i];
+        file->write(run.values[0][i], row);
+    }
+    file->close();
+    if (!run.tiles.empty()) io::write_tiles(io::tiles_beside(path), run.tiles);
+}
+
+void print_outcome(const ManeuverRun& run, const Outcome& outcome, const std::vector<std::string>& files) {
+    fmt::print("{} ({}) with {}\n", run.title, run.standard, run.vehicle);
+    std::size_t width = 0;
+    for (const Figure& f : outcome.figures) width = std::max(width, f.name.size());
+    for (const Figure& f : outcome.figures) {
+        const std::string value = std::isfinite(f.value) ? fmt::format("{:.5g}", f.value) : "not shown";
+        fmt::print("  {:<{}}  {} {}\n", f.name, width, value, f.unit);
+    }
+    for (const Verdict& v : outcome.verdicts) {
+        fmt::print("  {}: {}{}\n", v.passed ? "passed" : "NOT PASSED", v.criterion,
+                   v.found.empty() ? "" : " (" + v.found + ")");
+    }
+    for (const std::string& note : outcome.notes) fmt::print("  note: {}\n", note);
+    const double gap = outcome.energy.turnover > 0 ? std::abs(outcome.energy.gap()) / outcome.energy.turnover : 0;
+    fmt::print("  energy: the books close to {:.2g} of what was turned over\n", gap);
+    for (const std::string& file : files) fmt::print("  wrote {}\n", file);
+}
+
+io::ExitCode drive_maneuver(const Maneuver& maneuver, const VehicleDescription& vehicle, const Settings& settings,
+                            const ManeuverOptions& asked, const Options& options, ManeuverRun run) {
+    check_obstacle(maneuver, vehicle);
+    const std::string folder = options.output.empty() ? "out/" + maneuver.name : options.output;
+    make_folder(folder);
+    Progress progress(maneuver.name);
+    ManeuverOptions driven = asked;
+    driven.keep_going = [&](double share) { return progress.show(share), !interrupted(); };
+    const Outcome outcome = maneuver.drive(vehicle, settings, driven);
+    progress.clear();
+    std::vector<std::string> files{folder + "/outcome.json"};
+    auto facts = outcome_json(run, outcome);
+    for (std::size_t i = 0; i < outcome.runs.size(); ++i) {
+        files.push_back(fmt::format("{}/drive{}.nc", folder, i == 0 ? "" : fmt::format("_{}", i + 1)));
+        write_film(files.back(), outcome.runs[i]);
+    }
+    files.push_back(folder + "/report.html");
+    facts["files"] = files;
+    write_file(files.front(), facts.dump(1) + "\n");
+    io::write_page(files.back(), outcome_page(run, outcome));
+    if (options.json) {
+        facts.erase("charts");
+        fmt::print("{}\n", facts.dump(2));
+    } else {
+        print_outcome(run, outcome, files);
+    }
+    if (interrupted()) return io::ExitCode::interrupted;
+    if (outcome.failed) {
+        fmt::print(stderr, "hamilcar: {}: {}\n", maneuver.name, *outcome.failed);
+        return io::ExitCode::numerical;
+    }
+    return outcome.passed() ? io::ExitCode::ok : io::ExitCode::failed;
+}
+
+io::ExitCode start(const std::string& name, const std::string& vehicle_file, const Settings& chosen,
+                   const ManeuverOptions& asked, const Options& options) {
+    if (!options.checkpoint.empty() || !options.resume.empty()) {
+        throw io::Error(io::ExitCode::usage,
+                        "--checkpoint and --resume are for scenarios; a maneuver is many short drives");
+    }
+    const Maneuver& maneuver = require_maneuver(name);
+    const VehicleDescription vehicle = io::read_vehicle(vehicle_file);
+    const Settings settings = complete_settings(maneuver, vehicle, chosen);
+    ManeuverRun run{.maneuver = maneuver.name,
+                    .title = maneuver.title,
+                    .standard = maneuver.standard,
+                    .vehicle = vehicle.name,
+                    .vehicle_file = vehicle_file,
+                    .settings = {},
+                    .step = asked.solver.step,
+                    .integrator = asked.solver.integrator,
+                    .program = "Hamilcar " HAMILCAR_VERSION};
+    for (const Setting& setting : maneuver.settings(vehicle)) {
+        run.settings.emplace_back(setting, settings.at(setting.name));
+    }
+    return drive_maneuver(maneuver, vehicle, settings, asked, options, std::move(run));
+}
+
+}  // namespace
+
+io::ExitCode run_maneuver(const Options& options) {
+    ManeuverOptions asked;
+    if (options.step > 0) asked.solver.step = options.step;
+    const std::string vehicle = options.vehicle.empty() ? shipped_file("vehicles/bmw_323i.toml") : options.vehicle;
+    return start(options.maneuver, vehicle, typed_settings(options.settings), asked, options);
+}
+
+io::ExitCode run_maneuver(const ScenarioDescription& scenario, const Options& options) {
+    ManeuverOptions asked{.solver = scenario.solver, .road = scenario.road};
+    if (options.step > 0) asked.solver.step = options.step;
+    Settings chosen = scenario.maneuver.settings;
+    for (const auto& [name, value] : typed_settings(options.settings)) chosen[name] = value;
+    const std::string& vehicle = options.vehicle.empty() ? scenario.vehicle : options.vehicle;
+    return at_place(options.file, [&] { return start(scenario.maneuver.name, vehicle, chosen, asked, options); });
+}
+
+void check_maneuver(const ScenarioDescription& scenario, const VehicleDescription& vehicle, const std::string& file) {
+    at_place(file, [&] {
+        const Maneuver& maneuver = require_maneuver(scenario.maneuver.name);
+        check_obstacle(maneuver, vehicle);
+        complete_settings(maneuver, vehicle, scenario.maneuver.settings);
+    });
+}
+
+io::ExitCode list_maneuvers(const Options& options) {
+    const VehicleDescription vehicle =
+        io::read_vehicle(options.file.empty() ? shipped_file("vehicles/bmw_323i.toml") : options.file);
+    nlohmann::ordered_json facts = nlohmann::ordered_json::array();
+    for (const Maneuver& maneuver : maneuvers()) {
+        nlohmann::ordered_json settings = nlohmann::ordered_json::array();
+        for (const Setting& s : maneuver.settings(vehicle)) {
+            settings.push_back({{"name", s.name},
+                                {"key", setting_key(s)},
+                                {"unit", s.unit},
+                                {"meaning", s.meaning},
+                                {"usual", s.usual},
+                                {"least", s.least},
+                                {"most", s.most}});
+        }
+        facts.push_back({{"name", maneuver.name},
+                         {"title", maneuver.title},
+                         {"standard", maneuver.standard},
+                         {"summary", maneuver.summary},
+                         {"obstacle", maneuver.obstacle(vehicle)},
+                         {"settings", settings}});
+    }
+    if (options.json) {
+        fmt::print("{}\n", facts.dump(2));
+        return io::ExitCode::ok;
+    }
+    fmt::print("Maneuvers, with the settings that {} drives them with:\n", vehicle.name);
+    for (const auto& m : facts) {
+        fmt::print("\n{}  {} ({})\n  {}\n", m["name"].get<std::string>(), m["title"].get<std::string>(),
+                   m["standard"].get<std::string>(), m["summary"].get<std::string>());
+        if (const auto obstacle = m["obstacle"].get<std::string>(); !obstacle.empty()) {
+            fmt::print("  not with this vehicle: {}\n", obstacle);
+        }
+        for (const auto& s : m["settings"]) {
+            fmt::print("    {}={:g} {}  {} ({:g} to {:g})\n", s["name"].get<std::string>(), s["usual"].get<double>(),
+                       s["unit"].get<std::string>(), s["meaning"].get<std::string>(), s["least"].get<double>(),
+                       s["most"].get<double>());
+        }
+    }
+    return io::ExitCode::ok;
+}
+
+io::ExitCode compare(const Options& options) {
+    if (options.files.size() < 2) {
+        throw io::Error(io::ExitCode::usage,
+                        "compare: expected two outcomes or more, folders that 'hamilcar run --maneuver' "
+                        "wrote; 'hamilcar view' shows one");
+    }
+    std::vector<std::pair<ManeuverRun, Outcome>> runs;
+    for (const std::string& given : options.files) {
+        const fs::path path = fs::is_directory(given) ? fs::path(given) / "outcome.json" : fs::path(given);
+        if (!fs::exists(path)) {
+            throw io::Error(io::ExitCode::input_output,
+                            path.string() +
+                                ": not there; expected what 'hamilcar run --maneuver' wrote "
+                                "('hamilcar view' compares results of scenarios)");
+        }
+        auto run = read_outcome(path.string());
+        const fs::path film = path.parent_path() / "drive.nc";
+        if (fs::exists(film)) run.second.runs.push_back(read_run(film.string(), options.rows));
+        runs.push_back(std::move(run));
+    }
+    const std::string page = options.output.empty() ? "comparison.html" : options.output;
+    io::write_page(page, comparison_page(std::move(runs)));
+    fmt::print("{}\n", page);
+    if (options.open) open_in_browser(fs::absolute(page).string());
+    return io::ExitCode::ok;
+}
+
+}  // namespace hamilcar::cli

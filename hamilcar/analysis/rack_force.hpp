@@ -1,0 +1,24 @@
+// What the driver's hands have to bear: the force that holds the rack on its prescribed course, without assistance.
+//
+// The rack's displacement is a coordinate that somebody else decides on, so that no block computes its force. It is what
+// (71) lacks: with xi the carriers' motion per unit rate of the rack at fixed independent coordinates,
+//     F = sum xi.(h' + v_hub x* h - Qhat) - sum F_axial dl/dbeta                           // h' as seen from the hub
+// over all that the rack moves. xi is the linkages' drift at unit rack rate, Qhat as in (71), and dl/dbeta the drift of the
+// lines that springs, dampers, stops and bars act along.
+#pragma once
+
+#include "hamilcar/block/momenta.hpp"
+#include "hamilcar/steering/column.hpp"
+
+namespace hamilcar {
+
+// Force on the rack along its positive displacement [N]; the rack itself has no mass and no friction. `momenta` with a full
+// account. h' is a difference along the state's own path, with an error of some 1e-7 N. Two Velocity blocks.
+double rack_force(const Model<double>& model, const State<double>& state, const Input<double>& input,
+                  const Velocity<double>& velocity, const Momenta<double>& momenta);
+
+// Torque of the hands about the steering wheel's axis, positive to the left [N m], where the rack stands at `displacement`
+// [m] and takes `force` [N]. The vehicle has a column.
+double steering_torque(const Column& column, double displacement, double force);
+
+}  // namespace hamilcar

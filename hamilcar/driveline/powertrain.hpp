@@ -1,0 +1,113 @@
+// Everything that drives: power units, and the tree of differentials from them to the wheels. Speeds go up the tree, torques
+// come down; both in one pass, since outputs stand before what drives them.
+//
+// In a state: unit by unit the rotor's momentum, the wind-up, the throttle that the rotor feels and the converter's torque, then
+// each differential's wind-up, then the energy that the sources have given.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "hamilcar/driveline/differential.hpp"
+#include "hamilcar/driveline/power_unit.hpp"
+
+namespace hamilcar {
+
+inline constexpr int max_driven_wheels = 2 * max_differentials;
+
+// Pointers into the row of a state.
+template <class Number>
+struct UnitState {
+    Number &momentum, &windup, &throttle, &oil_torque;  // p_e [kg m^2/s], [rad], [1], [N m]
+};
+
+template <class T>
+struct PowertrainMomenta {
+    std::array<typename PowerUnit<T>::Output, max_power_units> units;
+    std::array<typename Differential<T>::Output, max_differentials> differentials;
+    std::array<T, max_driven_wheels> wheels;  // torque on each driven wheel [N m]
+    T supplied;                               // by the sources [W]
+    PowertrainMomenta() {}
+};
+
+template <class T>
+struct Powertrain {
+    std::vector<PowerUnit<T>> units;
+    std::vector<Differential<T>> differentials;
+    std::vector<int> wheels;  // that are driven, by their numbers in the vehicle
+    int offset = 0;           // of its first number in a state
+    static constexpr auto members() {
+        using P = Powertrain;
+        return std::tuple(&P::units, &P::differentials, &P::wheels, &P::offset);
+    }
+
+    static constexpr int numbers_of_unit = 4;
+    bool exists() const { return !units.empty(); }
+    int size() const {
+        if (!exists()) return 0;
+        return numbers_of_unit * static_cast<int>(units.size()) + static_cast<int>(differentials.size()) + 1;
+    }
+
+    template <class Number>
+    UnitState<Number> unit_state(std::size_t i, Number* values) const {
+        Number* at = values + offset + numbers_of_unit * static_cast<int>(i);
+        return {at[0], at[1], at[2], at[3]};
+    }
+    template <class Number>
+    Number& windup(std::size_t differential, Number* values) const {
+        return values[offset + numbers_of_unit * static_cast<int>(units.size()) + static_cast<int>(differential)];
+    }
+    template <class Number>
+    Number& supplied(Number* values) const {
+        return values[offset + size() - 1];
+    }
+
+    // Speeds of the differentials' inputs from those of the driven wheels [rad/s].
+    std::array<T, max_differentials> input_speeds(const std::array<T, max_driven_wheels>& wheel_speeds) const {
+        std::array<T, max_differentials> speeds;
+        const auto of = [&](int output) -> const T& { return value(output, wheel_speeds, speeds); };
+        for (std::size_t d = 0; d < differentials.size(); ++d) {
+            speeds[d] = differentials[d].input_speed(of(differentials[d].outputs[0]), of(differentials[d].outputs[1]));
+        }
+        return speeds;
+    }
+
+    // What an output of a differential stands for: a driven wheel, or a differential before.
+    template <class Wheels, class Inner>
+    static auto& value(int output, Wheels& wheels, Inner& differentials) {
+        return output >= 0 ? wheels[static_cast<std::size_t>(output)]
+                           : differentials[static_cast<std::size_t>(-1 - output)];
+    }
+
+    // Torques on the driven wheels, turning with `wheel_speeds` against what carries the differential; `hub`: angular velocity
+    // of the chassis.
+    void evaluate(const T& pedal, const T& clutch, const T& gear, const Vec3<T>& hub,
+                  const std::array<T, max_driven_wheels>& wheel_speeds, const T* values,
+                  PowertrainMomenta<T>& out) const {
+        const std::array<T, max_differentials> speeds = input_speeds(wheel_speeds);
+        std::array<T, max_differentials> torques;
+        torques.fill(T(0));
+        for (std::size_t i = 0; i < wheels.size(); ++i) out.wheels[i] = T(0);
+        out.supplied = T(0);
+        for (std::size_t i = 0; i < units.size(); ++i) {
+            const PowerUnit<T>& unit = units[i];
+            const auto state = unit_state(i, values);
+            const auto output = static_cast<std::size_t>(unit.output);
+            const T spin = state.momentum * unit.inverse_inertia - unit.axis.dot(hub);
+            out.units[i] = unit.evaluate(pedal, clutch, gear, spin, speeds[output], state.windup, state.throttle,
+                                         state.oil_torque);
+            torques[output] += out.units[i].out;
+            out.supplied += out.units[i].source * spin;
+        }
+        for (std::size_t d = differentials.size(); d-- > 0;) {
+            const Differential<T>& one = differentials[d];
+            const auto& [a, b] = one.outputs;
+            out.differentials[d] = one.evaluate(torques[d], value(a, wheel_speeds, speeds),
+                                                value(b, wheel_speeds, speeds), windup(d, values));
+            value(a, out.wheels, torques) += out.differentials[d].a;
+            value(b, out.wheels, torques) += out.differentials[d].b;
+        }
+    }
+};
+
+}  // namespace hamilcar

@@ -1,0 +1,210 @@
+// One function per table of a power unit, in the order of docs/files/vehicle.md.
+#include "hamilcar/io/powertrain_file.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "hamilcar/io/differential_file.hpp"
+#include "hamilcar/io/name.hpp"
+#include "hamilcar/io/number_text.hpp"
+#include "hamilcar/io/spelling.hpp"
+#include "hamilcar/io/word.hpp"
+
+namespace hamilcar::io {
+
+namespace {
+
+constexpr double rpm = std::numbers::pi / 30;  // [rad/s]
+
+void expect_points(const TableReader& table, std::string_view key, std::size_t count) {
+    table.expect(count >= 2 && count <= std::size_t{max_curve_points}, key,
+                 "2 to " + std::to_string(max_curve_points) + " numbers");
+}
+
+// Between overrun and full load, if the file has any.
+void read_part_loads(const TableReader& engine, EngineDescription& to) {
+    if (!engine.has("part_load")) return;
+    constexpr Range part{"number between 0 and 1", 0, 1, false};
+    const std::vector<double> speed = to.torque[0].speed;
+    for (const TableReader& load : engine.tables("part_load")) {
+        const double throttle = load.number("throttle", part);
+        load.expect(throttle > to.throttle.back() && throttle < 1, "throttle",
+                    "a number between the one before, " + number_text(to.throttle.back()) + ", and 1");
+        const std::vector<double> torque = load.numbers("torque_N_m", any_number);
+        load.expect(torque.size() == speed.size(), "torque_N_m",
+                    std::to_string(speed.size()) + " numbers, one for each of 'speed_rpm'");
+        to.throttle.push_back(throttle);
+        to.torque.push_back({speed, torque});
+    }
+    engine.expect(to.throttle.size() < std::size_t{max_curve_points}, "part_load",
+                  std::to_string(max_curve_points - 2) + " part loads at most");
+}
+
+EngineDescription read_engine(const TableReader& table) {
+    const Samples overrun = table.samples("speed_rpm", "overrun_N_m", any_number);
+    const Samples full = table.samples("speed_rpm", "full_load_N_m", any_number);
+    expect_points(table, "speed_rpm", full.argument.size());
+    table.expect(full.argument[0] >= 0, "speed_rpm", "speeds not below zero");
+    for (std::size_t i = 0; i < full.value.size(); ++i) {
+        table.expect(full.value[i] >= overrun.value[i], "full_load_N_m", "no torque below that of 'overrun_N_m'");
+    }
+    table.expect(full.value[0] > 0, "full_load_N_m", "a first torque above zero: the engine has to start");
+    EngineDescription engine;
+    engine.idle_speed = table.number("idle_rpm", positive);
+    table.expect(engine.idle_speed < full.argument.back(), "idle_rpm", "a number below the last of 'speed_rpm'");
+    engine.throttle = {0};
+    engine.torque = {{overrun.argument, overrun.value}};
+    read_part_loads(table, engine);
+    engine.throttle.push_back(1);
+    engine.torque.push_back({full.argument, full.value});
+    return engine;
+}
+
+MotorDescription read_motor(const TableReader& table) {
+    return {.max_torque = table.number("max_torque_N_m", positive),
+            .max_power = table.number("max_power_W", positive),
+            .max_speed = table.number("max_speed_rpm", positive),
+            .regeneration = table.number("regeneration", fraction, 0)};
+}
+
+ConverterDescription read_converter(const TableReader& table) {
+    constexpr std::string_view pump_key = "pump_torque_at_2000rpm_N_m";
+    const Samples curve = table.samples("speed_ratio", "torque_ratio", positive);
+    expect_points(table, "speed_ratio", curve.argument.size());
+    table.expect(curve.argument.front() >= 0 && curve.argument.back() <= 1, "speed_ratio", "numbers from 0 to 1");
+    ConverterDescription converter{.speed_ratio = curve.argument,
+                                   .torque_ratio = curve.value,
+                                   .capacity = table.numbers(pump_key, not_negative),
+                                   .lockup_capacity = table.number("lockup_capacity_N_m", not_negative, 0)};
+    table.expect(converter.capacity.size() == curve.argument.size(), pump_key,
+                 std::to_string(curve.argument.size()) + " numbers, one for each of 'speed_ratio'");
+    for (double& capacity : converter.capacity) capacity /= (2000 * rpm) * (2000 * rpm);
+    return converter;
+}
+
+std::variant<ClutchDescription, ConverterDescription> read_coupling(const TableReader& unit) {
+    if (unit.chosen({{"clutch"}, {"converter"}}) == 1) return read_converter(unit.table("converter"));
+    const auto clutch = unit.optional_table("clutch");
+    if (!clutch) return ClutchDescription{};
+    return ClutchDescription{clutch->number("capacity_N_m", not_negative)};
+}
+
+// A gear that was shifted to must not be left at once.
+void check_shifts(const TableReader& table, const GearboxDescription& gearbox) {
+    double step = 1;  // largest fall of the speed [1]
+    for (std::size_t i = 0; i + 1 < gearbox.ratios.size(); ++i) {
+        step = std::min(step, gearbox.ratios[i + 1] / gearbox.ratios[i]);
+    }
+    const auto check = [&](std::string_view key, double up, double down) {
+        table.expect(gearbox.upshift_speed == 0 || down < up * step, key,
+                     "a number below " + number_text(up * step / rpm) + ", which is left after shifting up");
+    };
+    check("downshift_rpm", gearbox.upshift_speed, gearbox.downshift_speed);
+    check("downshift_closed_rpm", gearbox.upshift_speed_closed, gearbox.downshift_speed_closed);
+    table.expect(!gearbox.automatic || gearbox.ratios.size() == 1 || gearbox.upshift_speed > 0, "upshift_rpm",
+                 "a positive number: an automatic gearbox shifts by itself");
+}
+
+GearboxDescription read_gearbox(const std::optional<TableReader>& table) {
+    constexpr Range efficiency{"number above 0, 1 at most", 0, 1, false};
+    GearboxDescription gearbox;
+    if (!table) return gearbox;
+    const auto or_else = [&](std::string_view key, double otherwise) {
+        return table->has(key) ? table->number(key, not_negative) : otherwise;
+    };
+    gearbox.ratios = table->numbers("ratios", positive);
+    table->expect(gearbox.ratios.size() <= std::size_t{max_gears}, "ratios",
+                  std::to_string(max_gears) + " gears at most");
+    table->expect(std::ranges::adjacent_find(gearbox.ratios, std::ranges::less_equal{}) == gearbox.ratios.end(),
+                  "ratios", "numbers that decrease, from first gear on");
+    gearbox.reverse_ratio = table->number("reverse_ratio", not_negative, 0);
+    gearbox.efficiency = table->number("efficiency", efficiency, 1);
+    gearbox.automatic = word<bool>(*table, "shift", {"manual", false}, {"automatic", true});
+    gearbox.shift_time = table->number("shift_time_s", not_negative, gearbox.shift_time);
+    gearbox.upshift_speed = table->number("upshift_rpm", not_negative, 0);
+    gearbox.upshift_speed_closed = or_else("upshift_closed_rpm", gearbox.upshift_speed);
+    gearbox.downshift_speed = table->number("downshift_rpm", not_negative, 0);
+    gearbox.downshift_speed_closed = or_else("downshift_closed_rpm", gearbox.downshift_speed);
+    check_shifts(*table, gearbox);
+    return gearbox;
+}
+
+// Of the differentials, the one that the unit drives.
+std::size_t read_output(const TableReader& unit, const VehicleDescription& vehicle) {
+    const std::string name = unit.text("output");
+    const auto& all = vehicle.differentials;
+    std::vector<std::string_view> names;
+    for (const DifferentialDescription& differential : all) names.push_back(differential.name);
+    const auto found = std::ranges::find(names, name);
+    const std::string hint = did_you_mean(name, names);
+    unit.expect(found != names.end(), "output",
+                "the name of a [[differential]], which an axle needs to be driven" + (hint.empty() ? "" : "; " + hint));
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+PowerUnitDescription read_power_unit(const TableReader& table, const VehicleDescription& vehicle) {
+    PowerUnitDescription unit;
+    unit.name = table.text("name");
+    unit.inertia = table.number("inertia_kg_m2", positive);
+    unit.axis = table.direction("axis", unit.axis);
+    unit.response_time = table.number("response_time_s", not_negative, 0);
+    unit.stiffness = table.number("stiffness_N_m_per_rad", positive);
+    unit.damping_ratio = table.number("damping_ratio", not_negative, 0.1);
+    unit.output = read_output(table, vehicle);
+    if (table.chosen({{"engine"}, {"motor"}}) == 0) {
+        unit.source = read_engine(table.table("engine"));
+    } else {
+        unit.source = read_motor(table.table("motor"));
+    }
+    unit.coupling = read_coupling(table);
+    unit.gearbox = read_gearbox(table.optional_table("gearbox"));
+    const auto* clutch = std::get_if<ClutchDescription>(&unit.coupling);
+    const bool stalls = std::holds_alternative<EngineDescription>(unit.source) && clutch && clutch->capacity == 0;
+    table.expect(!stalls, "engine", "a [power_unit.clutch] that slips or a [power_unit.converter] beside it");
+    return unit;
+}
+
+std::vector<std::string> names_of_others(const VehicleDescription& vehicle) {
+    std::vector<std::string> names;
+    for_each_wheel(vehicle, [&](const auto& wheel, std::size_t) { names.push_back(wheel.name); });
+    for (const ComposedSpokeDescription& spoke : vehicle.composed) names.push_back(spoke.name);
+    for (const TrailerDescription& trailer : vehicle.trailers) names.push_back(trailer.name);
+    return names;
+}
+
+// `tables`: of the differentials in the vehicle's order.
+void check_inputs(const std::vector<TableReader>& tables, const VehicleDescription& vehicle) {
+    std::vector<bool> driven(tables.size());
+    for (const PowerUnitDescription& unit : vehicle.power_units) driven[unit.output] = true;
+    for (const DifferentialDescription& differential : vehicle.differentials) {
+        for (const DifferentialDescription::Output& output : differential.outputs) {
+            if (!output.wheel) driven[output.number] = true;
+        }
+    }
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        tables[i].expect(driven[i], "name",
+                         "a differential that a power unit has for its 'output', or another one among its 'outputs'");
+    }
+}
+
+}  // namespace
+
+void read_powertrain(const TableReader& file, VehicleDescription& vehicle) {
+    const bool wanted = file.boolean("powertrain", true);
+    const bool has_differentials = file.has("differential"), has_units = file.has("power_unit");
+    if (!wanted) return;
+    std::vector<TableReader> differentials;
+    if (has_differentials) differentials = read_differentials(file, vehicle);
+    if (has_units) {
+        std::vector<std::string> taken = names_of_others(vehicle);
+        for (const TableReader& table : file.tables("power_unit")) {
+            check_name(table, taken, "power unit, axle, wheel or trailer");
+            vehicle.power_units.push_back(read_power_unit(table, vehicle));
+        }
+        file.expect(vehicle.power_units.size() <= std::size_t{max_power_units}, "power_unit",
+                    std::to_string(max_power_units) + " power units at most");
+    }
+    if (!file.is_recording()) check_inputs(differentials, vehicle);
+}
+
+}  // namespace hamilcar::io

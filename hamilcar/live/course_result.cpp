@@ -1,0 +1,50 @@
+#include "hamilcar/live/course_result.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace hamilcar::live {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+std::string count(int number, const char* one, const char* many) {
+    return fmt::format("{} {}", number, number == 1 ? one : many);
+}
+
+}  // namespace
+
+CourseResult course_result(const Course& course, const CourseRun& run) {
+    CourseResult out{.finished = run.finished, .time = run.time};
+    const auto add = [&](const char* name, const char* unit, const char* meaning, double value, bool known) {
+        out.values.push_back({name, unit, meaning, known ? value : unknown});
+    };
+    const double mean_speed = run.distance / std::max(run.time, 1e-3), looks = std::max(run.looks, 1L);
+    add("entry speed", "km/h", "", run.entry_speed / kilometer_per_hour, run.entered);
+    add("exit speed", "km/h", "", run.exit_speed / kilometer_per_hour, run.finished);
+    add("mean speed", "km/h", "along the line", mean_speed / kilometer_per_hour, run.finished);
+    add("largest lateral acceleration", "m/s^2", "of the center of mass, either way", run.lateral_acceleration,
+        run.looks > 0);
+    if (course.cones.empty() && course.boundaries.empty()) {
+        add("mean lateral acceleration", "m/s^2", "to the left positive", run.sum_acceleration / looks, run.looks > 0);
+        add("mean deviation", "m", "of the center of mass from the line, either way", run.sum_offset / looks,
+            run.looks > 0);
+        return out;
+    }
+    if (!course.boundaries.empty()) {
+        out.verdicts.push_back(
+            {"no boundary is crossed", run.boundaries == 0, count(run.boundaries, "boundary", "boundaries")});
+    }
+    if (!course.cones.empty()) {
+        out.verdicts.push_back({"no cone is hit", run.cones == 0, count(run.cones, "cone", "cones")});
+    }
+    out.verdicts.push_back({"driven through to the end", run.finished,
+                            run.finished ? "" : fmt::format("{:.0f} m", std::max(run.distance, 0.0))});
+    out.passed = std::ranges::all_of(out.verdicts, &Verdict::passed);
+    return out;
+}
+
+}  // namespace hamilcar::live

@@ -1,0 +1,27 @@
+// Driving through a course of lanes at a speed, and the search for the highest speed at which no cone falls.
+#pragma once
+
+#include <optional>
+
+#include "hamilcar/maneuver/lane_course.hpp"
+
+namespace hamilcar {
+
+struct LaneChange {
+    std::string title;  // of its diagrams
+    std::vector<Lane> lanes;
+    std::optional<double>
+        lift;  // x of the vehicle's front where the foot leaves the throttle; empty: the speed is held [m]
+};
+
+// Settings that both courses have: speed [km/h], search [0 or 1], attempts, preview_time [s].
+std::vector<Setting> lane_change_settings(double usual_speed, bool usual_search);
+
+// A usual entry speed, up to `standard` [km/h], that asks no more of a vehicle than a part of what tips it over; a car
+// driven at `standard` is asked for `acceleration` [m/s^2].
+double usual_entry_speed(const VehicleDescription& vehicle, double standard, double acceleration);
+
+Outcome drive_lane_change(const VehicleDescription& vehicle, const LaneChange& change, const Settings& settings,
+                          const ManeuverOptions& options);
+
+}  // namespace hamilcar

@@ -1,0 +1,41 @@
+// Courses of lanes between rows of cones along x, as in ISO 3888: the cones, the line that is easiest to drive, and how a car
+// got through.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "hamilcar/maneuver/common.hpp"
+
+namespace hamilcar {
+
+// From `begin` to `end` along x, between `right` and `left` along y [m].
+struct Lane {
+    double begin, end, right, left;
+    double width() const { return left - right; }
+    double center() const { return 0.5 * (left + right); }
+};
+
+// Cones, boundaries and the driver's line, which runs straight ahead before the first lane and behind the last one.
+Course lane_course(const std::vector<Lane>& lanes, const Footprint& box);
+
+// The line of the center of mass that bends least, in the sense of the least mean squared curvature, while the box whose
+// heading is the line's stays between all rows with some of the room to spare: a driver who knows the course uses its width.
+std::vector<std::array<double, 2>> easiest_line(const std::vector<Lane>& lanes, const Footprint& box);
+
+// How a drive went.
+struct Passage {
+    double clearance;   // least distance of the vehicle's box from a boundary beside it; negative: across it [m]
+    double place;       // x of the center of mass there [m]
+    std::size_t cones;  // that were run over
+    bool complete;      // whether the whole box came out of the last lane
+    bool too_slow() const { return !complete && clearance >= 0 && cones == 0; }  // it stopped on the way
+    bool better_than(const Passage& other) const {
+        return complete != other.complete ? complete : clearance > other.clearance;
+    }
+    bool clean() const { return complete && clearance >= 0 && cones == 0; }
+};
+// The box stands for the motor vehicle, the wheels' contacts for trailers.
+Passage passage(const VehicleDescription& vehicle, const std::vector<Lane>& lanes, const History& history);
+
+}  // namespace hamilcar

@@ -1,0 +1,35 @@
+// An outcome on disk, for programs and for comparisons: everything but the film, which is a result file beside it.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hamilcar/maneuver/maneuver.hpp"
+
+namespace hamilcar {
+
+// What was driven by whom, besides what came of it.
+struct ManeuverRun {
+    std::string maneuver, title, standard;  // of the Maneuver
+    std::string vehicle, vehicle_file;
+    std::vector<std::pair<Setting, double>> settings;
+    double step = 0;  // [s]
+    std::string integrator;
+    std::string program;  // "Hamilcar 0.1.0"
+};
+
+nlohmann::ordered_json outcome_json(const ManeuverRun& run, const Outcome& outcome);
+
+// Without film, course and notes. Throws io::Error(bad_file) for what is no outcome of hamilcar's, input_output for what
+// cannot be read.
+std::pair<ManeuverRun, Outcome> read_outcome(const std::string& path);
+
+// The page of one maneuver: verdict, figures, its diagrams, the film with its plots, the settings and the energy.
+io::Page outcome_page(const ManeuverRun& run, const Outcome& outcome);
+
+// Several on one page: figures side by side, diagrams of one name laid over each other. The films are those of all of them.
+io::Page comparison_page(std::vector<std::pair<ManeuverRun, Outcome>> runs);
+
+}  // namespace hamilcar

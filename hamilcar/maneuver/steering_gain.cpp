@@ -1,0 +1,125 @@
+#include "hamilcar/maneuver/steering_gain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hamilcar/analysis/handling.hpp"
+#include "hamilcar/steering/column.hpp"
+
+namespace hamilcar {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+const double half_power = std::sqrt(0.5);
+
+std::vector<double> magnitudes(const std::vector<std::complex<double>>& response, double factor) {
+    std::vector<double> out;
+    for (const auto& one : response) out.push_back(factor * std::abs(one));
+    return out;
+}
+
+// A value at a frequency, linear between neighbors; NaN outside.
+double value_at(const std::vector<double>& x, const std::vector<double>& y, double at) {
+    const auto above = std::ranges::lower_bound(x, at - 1e-9);
+    if (above == x.end() || (above == x.begin() && *above > at + 1e-9)) return none;
+    const auto i = static_cast<std::size_t>(above - x.begin());
+    if (i == 0) return y[0];
+    return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
+}
+
+io::Chart gain_chart(const std::string& of, const std::string& unit, std::vector<double> x, std::vector<double> y,
+                     std::vector<double> theory_x, std::vector<double> theory_y) {
+    return {.title = of,
+            .x_label = "frequency [Hz]",
+            .y_label = unit,
+            .curves = {{.label = "test", .x = std::move(x), .y = std::move(y), .points = true},
+                       {.label = "linear theory", .x = std::move(theory_x), .y = std::move(theory_y)}}};
+}
+
+void add_charts(const SteeringGain& found, const SteeringGain& theory, Outcome& outcome) {
+    const auto add = [&](const std::string& of, const std::string& unit, double factor, auto response) {
+        outcome.charts.push_back(gain_chart(of + " gain", "gain [" + unit + "]", found.frequency,
+                                            magnitudes(found.*response, factor), theory.frequency,
+                                            magnitudes(theory.*response, factor)));
+        outcome.charts.push_back(gain_chart(of + " phase", "phase [deg]", found.frequency, phases(found.*response),
+                                            theory.frequency, phases(theory.*response)));
+    };
+    add("yaw rate", "deg/s/deg", 1, &SteeringGain::yaw_rate);
+    add("lateral acceleration", "m/s^2/deg", degree, &SteeringGain::lateral_acceleration);
+    if (found.yaw_coherence.empty()) return;
+    outcome.charts.push_back(
+        {.title = "coherence",
+         .x_label = "frequency [Hz]",
+         .y_label = "coherence [1]",
+         .curves = {{.label = "yaw rate", .x = found.frequency, .y = found.yaw_coherence},
+                    {.label = "lateral acceleration", .x = found.frequency, .y = found.lateral_coherence}}});
+}
+
+}  // namespace
+
+SteeringGain theoretical_gain(const VehicleDescription& vehicle, double speed, const std::vector<double>& frequency) {
+    const Linearizer linearizer(vehicle);
+    const OperatingPoint straight = linearizer.operating_point({.speed = speed});
+    if (!straight.found) return {};
+    const LinearModel model = linearizer.linearize(straight);
+    const double ratio = Column(vehicle.steering).center_ratio();
+    SteeringGain out{.frequency = frequency};
+    const std::vector<double> angular = scaled(frequency, 2 * std::numbers::pi);
+    out.yaw_rate = steering_response(model, ratio, output_yaw_rate, angular);
+    out.lateral_acceleration = steering_response(model, ratio, output_lateral_acceleration, angular);
+    return out;
+}
+
+std::vector<double> phases(const std::vector<std::complex<double>>& response) {
+    std::vector<double> out;
+    for (const auto& one : response) {
+        const double now = std::arg(one) / degree, before = out.empty() ? 0 : out.back();
+        out.push_back(now - 360 * std::round((now - before) / 360));
+    }
+    return out;
+}
+
+double falls_through(const std::vector<double>& x, const std::vector<double>& y, double level) {
+    for (std::size_t i = 1; i < x.size(); ++i) {
+        if (y[i - 1] > level && y[i] <= level)
+            return x[i - 1] + (x[i] - x[i - 1]) * (level - y[i - 1]) / (y[i] - y[i - 1]);
+    }
+    return none;
+}
+
+SteadyGain lowest_gain(const SteeringGain& found) {
+    if (found.frequency.empty()) return {none, none};
+    return {std::abs(found.yaw_rate.front()), std::abs(found.lateral_acceleration.front())};
+}
+
+void add_gain(const SteeringGain& found, const SteadyGain& steady, const SteeringGain& theory, Outcome& outcome) {
+    const std::vector<double>& f = found.frequency;
+    if (f.empty()) return;
+    const std::vector<double> gain = magnitudes(found.yaw_rate, 1 / steady.yaw_rate), phase = phases(found.yaw_rate);
+    const std::vector<double> lateral_phase = phases(found.lateral_acceleration);
+    const auto top = static_cast<std::size_t>(std::ranges::max_element(gain) - gain.begin());
+    constexpr double lagging = -45;  // [deg]: that of a first-order lag at 1 / T
+    const double at_lag = falls_through(f, phase, lagging);
+    const auto lag = [&](const std::vector<double>& of, double at) { return -value_at(f, of, at) / 360 / at; };
+    const auto add = [&](const std::string& name, const std::string& unit, const std::string& meaning, double value) {
+        outcome.figures.push_back({name, unit, meaning, value});
+    };
+    add("yaw rate gain", "deg/s/deg", "steady, per angle of the steering wheel", steady.yaw_rate);
+    add("lateral acceleration gain", "m/s^2/deg", "steady", steady.lateral_acceleration * degree);
+    add("yaw rate peak ratio", "", "largest gain over the steady one", gain[top]);
+    add("yaw rate peak frequency", "Hz", "of the largest gain", f[top]);
+    add("yaw rate bandwidth", "Hz", "where the gain is down to 71 percent of the steady one",
+        falls_through(f, gain, half_power));
+    add("yaw rate equivalent time", "s", "1 / (2 pi f) where the yaw rate lags by 45 degrees",
+        1 / (2 * std::numbers::pi * at_lag));
+    for (const double at : {0.5, 1.0}) {
+        const std::string where = at < 1 ? " at 0.5 Hz" : " at 1 Hz";
+        add("yaw rate lag" + where, "s", "phase as time", lag(phase, at));
+        add("lateral acceleration lag" + where, "s", "phase as time", lag(lateral_phase, at));
+    }
+    add_charts(found, theory, outcome);
+}
+
+}  // namespace hamilcar

@@ -1,0 +1,199 @@
+#include "hamilcar/maneuver/trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "hamilcar/analysis/acceleration.hpp"
+#include "hamilcar/analysis/rack_force.hpp"
+#include "hamilcar/block/road_wheels.hpp"
+#include "hamilcar/run/channels.hpp"
+#include "hamilcar/run/film.hpp"
+#include "hamilcar/run/scene.hpp"
+#include "hamilcar/run/simulation.hpp"
+#include "hamilcar/steering/column.hpp"
+
+namespace hamilcar {
+
+namespace {
+
+constexpr double fallen_over = std::numbers::pi / 3;  // roll beyond which no car comes back [rad]
+
+// Motor vehicle and trailers: wheels as the forces know them.
+std::vector<const WheelForces<double>*> wheel_forces(const Sample& s) {
+    std::vector<const WheelForces<double>*> out;
+    for (int i = 0; i < s.model.vehicle.spoke_count(); ++i) {
+        out.push_back(&s.momenta.spokes[static_cast<std::size_t>(i)].forces);
+    }
+    for (std::size_t i = 0; i < s.model.vehicle.composed.size(); ++i) {
+        for (std::size_t w = 0; w < s.model.vehicle.composed[i].wheels.size(); ++w) {
+            out.push_back(&s.momenta.composed.spokes[i].wheels[w]);
+        }
+    }
+    return out;
+}
+
+// Writes the rows of a History.
+class Observer {
+public:
+    Observer(const Simulation& simulation, const TrialOptions& options, History& history)
+        : options_(options), column_(simulation.vehicle().steering), history_(history) {}
+
+    void add(const Sample& s) {
+        add_motion(s);
+        add_controls(s);
+        add_wheels(s);
+        if (options_.seat_acceleration) add_seat(s);
+    }
+
+private:
+    void add_motion(const Sample& s) {
+        const Senses senses = sense(s.model, s.state, s.input);
+        const Mat3<double>& R = s.velocity.R_GC;
+        history_.time.push_back(s.time);
+        history_.x.push_back(senses.x), history_.y.push_back(senses.y);
+        const double before = history_.yaw.empty() ? senses.yaw : history_.yaw.back();
+        history_.yaw.push_back(senses.yaw +
+                               2 * std::numbers::pi * std::round((before - senses.yaw) / (2 * std::numbers::pi)));
+        history_.speed.push_back(senses.speed);
+        history_.lateral_velocity.push_back(senses.lateral_velocity);
+        history_.yaw_rate.push_back(senses.yaw_rate);
+        history_.roll.push_back(senses.roll);
+        history_.pitch.push_back(-std::asin(std::clamp(R(2, 0), -1.0, 1.0)));
+        const Vec3<double> F = R * Vec3<double>(s.momenta.external.head<3>()) / s.model.vehicle.total_mass;
+        const double c = std::cos(senses.yaw), d = std::sin(senses.yaw);
+        history_.longitudinal_acceleration.push_back(c * F[0] + d * F[1]);
+        history_.lateral_acceleration.push_back(c * F[1] - d * F[0]);
+    }
+
+    void add_controls(const Sample& s) {
+        const double rack = s.input.rack.displacement;
+        history_.steering_wheel.push_back(column_.exists() ? column_.angle(rack) : 0);
+        const double force = column_.exists() ? rack_force(s.model, s.state, s.input, s.velocity, s.momenta) : 0;
+        history_.steering_torque.push_back(column_.exists() ? steering_torque(column_, rack, force) : 0);
+        history_.throttle.push_back(s.input.throttle);
+        history_.brake.push_back(s.input.brake);
+        history_.gear.push_back(s.input.gear);
+        if (s.model.vehicle.powertrain.exists()) history_.unit_speed.push_back(s.momenta.powertrain.units[0].spin);
+    }
+
+    void add_wheels(const Sample& s) {
+        const auto forces = wheel_forces(s);
+        const std::size_t n = forces.size();
+        for (auto* rows : {&history_.wheel_load, &history_.wheel_speed, &history_.wheel_x, &history_.wheel_y}) {
+            rows->resize(n);
+        }
+        double torque = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const WheelForces<double>& f = *forces[i];
+            torque += f.drive_torque;
+            history_.wheel_load[i].push_back(f.tire.Fz);
+            history_.wheel_speed[i].push_back(f.spin);
+            const Vec3<double> at = Vec3<double>(s.state.position()) + s.velocity.R_GC * f.frame.point;
+            history_.wheel_x[i].push_back(at[0]), history_.wheel_y[i].push_back(at[1]);
+        }
+        history_.drive_torque.push_back(torque);
+    }
+
+    void add_seat(const Sample& s) {
+        const Vec3<double> a =
+            acceleration_at(s.model, s.state, s.input, s.velocity, s.momenta, s.model.vehicle.chassis.center);
+        history_.seat_x.push_back(a[0]), history_.seat_y.push_back(a[1]), history_.seat_z.push_back(a[2]);
+    }
+
+    const TrialOptions& options_;
+    Column column_;
+    History& history_;
+};
+
+// The books from start to end. What is supplied comes from the power units; where a torque at the wheels stands for them, from
+// its power, by trapezoids between the rows.
+class Books {
+public:
+    void add(const Sample& s) {
+        const double stored = s.energy.kinetic + s.energy.potential - s.energy.drift;
+        const Powertrain<double>& powertrain = s.model.vehicle.powertrain;
+        if (first_) {
+            stored_ = stored, work_ = s.energy.work;
+            first_ = false;
+        } else if (!powertrain.exists()) {
+            supplied_ += 0.5 * (power_ + drive_power(s)) * (s.time - time_);
+        }
+        if (powertrain.exists()) supplied_ = powertrain.supplied(s.state.values.data());
+        power_ = drive_power(s), time_ = s.time;
+        largest_ = std::max(largest_, s.energy.kinetic);
+        book_.supplied = supplied_;
+        book_.stored = stored - stored_;
+        book_.dissipated = supplied_ - (s.energy.work - work_);
+        book_.turnover = std::max({largest_, std::abs(supplied_), std::abs(book_.dissipated)});
+    }
+    const EnergyBook& book() const { return book_; }
+
+private:
+    static double drive_power(const Sample& s) {
+        double power = 0;
+        for (const WheelForces<double>* f : wheel_forces(s)) power += f->drive_torque * f->spin;
+        return power;
+    }
+
+    EnergyBook book_;
+    double stored_ = 0, work_ = 0, supplied_ = 0, power_ = 0, time_ = 0, largest_ = 0;
+    bool first_ = true;
+};
+
+// Channels for a page: the usual ones and what moves the picture.
+std::vector<Channel> film_channels(const VehicleDescription& vehicle) {
+    const std::vector<Channel> all = all_channels(vehicle);
+    std::vector<Channel> chosen = select_channels(all, {});
+    add_missing_motion(all, chosen);
+    return chosen;
+}
+
+}  // namespace
+
+double History::sideslip(std::size_t row) const {
+    return std::atan2(lateral_velocity[row], std::max(std::abs(speed[row]), 1e-3));
+}
+
+Trial drive(const VehicleDescription& vehicle, const ScenarioDescription& scenario, const TrialOptions& options) {
+    Simulation simulation(vehicle, scenario);
+    Trial trial;
+    Observer observer(simulation, options, trial.history);
+    Books books;
+    const std::vector<Channel> channels = options.film ? film_channels(simulation.vehicle()) : std::vector<Channel>();
+    Film film(scenario.name, options.film ? scene_json(simulation.vehicle(), scenario) : "", channels);
+    std::vector<double> row(channels.size());
+    const long every = std::max(1L, std::lround(options.interval / scenario.solver.step));
+    const auto observe = [&] {
+        const Sample sample = simulation.sample();
+        observer.add(sample);
+        books.add(sample);
+        for (std::size_t i = 0; i < channels.size(); ++i) row[i] = channels[i].read(sample);
+        if (options.film) film.add(sample.time, row);
+    };
+    observe();
+    while (!simulation.finished()) {
+        if (const auto end = simulation.advance()) {
+            trial.trouble = end->message;
+            break;
+        }
+        if (simulation.ending() || simulation.steps_taken() % every != 0) continue;
+        observe();
+        if (std::abs(trial.history.roll.back()) > fallen_over) {
+            trial.trouble = "the vehicle fell over";
+            break;
+        }
+        const double done = simulation.time() / scenario.duration;
+        if (options.keep_going && !options.keep_going(done)) {
+            trial.trouble = "interrupted";
+            break;
+        }
+    }
+    trial.ended = simulation.ending();
+    trial.complaints = simulation.complaints();
+    trial.energy = books.book();
+    if (options.film) trial.film = film.take();
+    return trial;
+}
+
+}  // namespace hamilcar

@@ -1,0 +1,56 @@
+// One drive of a maneuver: a scenario with its driver, run from start to end, and what was seen on the way.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hamilcar/maneuver/maneuver.hpp"
+
+namespace hamilcar {
+
+// What test drivers measure, row by row at a steady rate. SI units, radians, ISO 8855 axes; the car is the motor vehicle.
+struct History {
+    std::vector<double> time;
+    std::vector<double> steering_wheel;   // angle, to the left positive
+    std::vector<double> steering_torque;  // that the driver applies, without power assist [N m]
+    std::vector<double> x, y, yaw;  // of the chassis's center of mass on the ground; yaw continuous, beyond pi too
+    std::vector<double> speed;      // of that point along the heading
+    std::vector<double> lateral_velocity;  // of that point, to the left
+    std::vector<double> yaw_rate, roll, pitch;
+    std::vector<double> longitudinal_acceleration, lateral_acceleration;  // of the whole vehicle, horizontal
+    // Of the chassis's center of mass, chassis axes, without gravity: where the linear model has its seat too. Only if asked for.
+    std::vector<double> seat_x, seat_y, seat_z;
+    std::vector<double> drive_torque;  // at all wheels together [N m]
+    std::vector<double> throttle, brake, gear;
+    std::vector<double> unit_speed;                     // of the first power unit [rad/s]; empty without
+    std::vector<std::vector<double>> wheel_load;        // of every wheel, on the road [N]
+    std::vector<std::vector<double>> wheel_speed;       // turning of every wheel [rad/s]
+    std::vector<std::vector<double>> wheel_x, wheel_y;  // of every wheel's contact on the ground [m]
+
+    std::size_t size() const { return time.size(); }
+    double sideslip(std::size_t row) const;  // of the center of mass [rad]
+};
+
+struct Trial {
+    History history;
+    std::optional<std::string> trouble;  // why the car could not go on: the mathematics gave up, or it fell over
+    std::optional<std::string> ended;    // what the driver's ending was, if it came before the time was up
+    std::vector<std::string>
+        complaints;  // what the driver could not do: a speed that was not reached, a path that was left
+    EnergyBook energy;
+    io::PageRun film;  // empty unless asked for
+};
+
+struct TrialOptions {
+    double interval = 0.005;                 // between two rows, a multiple of the step [s]
+    bool film = false;                       // keep rows for a page
+    bool seat_acceleration = false;          // costs as much as a step each row
+    std::function<bool(double)> keep_going;  // told the share done; false: stop
+};
+
+// Runs the scenario. Throws as Simulation does.
+Trial drive(const VehicleDescription& vehicle, const ScenarioDescription& scenario, const TrialOptions& options = {});
+
+}  // namespace hamilcar

@@ -1,0 +1,94 @@
+#include "hamilcar/run/powertrain_channels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hamilcar {
+
+namespace {
+
+constexpr double rpm = 30 / std::numbers::pi;  // per rad/s
+
+using Unit = PowerUnit<double>::Output;
+using Lock = Differential<double>::Output;
+
+// Of a unit, whose last gear stands for all beyond it; 0 also between two gears, and in a reverse gear that it has not.
+double gear_in(const Sample& s, std::size_t i) {
+    if (!s.model.vehicle.powertrain.exists()) return 0;
+    const auto& gears = s.model.vehicle.powertrain.units[i].gears;
+    const double gear = std::min(s.input.gear, static_cast<double>(gears.ratio.size()) - 2);
+    return gear == std::floor(gear) ? gear * gears.at(gear).connected : 0;
+}
+
+void add_unit_channels(const std::string& name, std::size_t i, std::vector<Channel>& list) {
+    const auto add = [&](const char* what, const char* unit, const char* meaning, auto read, bool standard) {
+        list.push_back({{name + what, unit, meaning},
+                        [i, read](const Sample& s) {
+                            return s.model.vehicle.powertrain.exists() ? read(s.momenta.powertrain.units[i]) : 0;
+                        },
+                        standard});
+    };
+    add(
+        ".speed", "rpm", "of the rotor", [](const Unit& u) { return rpm * u.spin; }, true);
+    add(
+        ".torque", "N m", "of combustion or field on the rotor", [](const Unit& u) { return u.source; }, true);
+    add(
+        ".power", "kW", "of that torque", [](const Unit& u) { return 1e-3 * u.source * u.spin; }, false);
+    add(
+        ".throttle", "1", "that is in force", [](const Unit& u) { return u.throttle; }, false);
+    list.push_back({{name + ".gear", "1", "that is in: -1 reverse, 0 none, 1 first"},
+                    [i](const Sample& s) { return gear_in(s, i); },
+                    true});
+    add(
+        ".clutch_torque", "N m", "through the clutch, to the gearbox", [](const Unit& u) { return u.clutch; }, true);
+    add(
+        ".clutch_slip", "rpm", "of the rotor over the gearbox's input",
+        [](const Unit& u) { return rpm * (u.spin - u.shaft_speed); }, false);
+    add(
+        ".converter_torque", "N m", "of the turbine on the gearbox", [](const Unit& u) { return u.turbine; }, false);
+    add(
+        ".output_torque", "N m", "of the gearbox on the shaft behind it", [](const Unit& u) { return u.out; }, false);
+    add(
+        ".ratio", "1", "of the gear that is in, negative in reverse", [](const Unit& u) { return u.ratio; }, false);
+    add(
+        ".losses", "kW", "in clutch, converter and gearbox", [](const Unit& u) { return 1e-3 * u.loss; }, false);
+}
+
+}  // namespace
+
+void add_powertrain_channels(const VehicleDescription& vehicle, std::vector<Channel>& list) {
+    if (vehicle.power_units.empty()) return;
+    const auto add = [&](const char* name, const char* unit, const char* meaning, auto read, bool standard) {
+        list.push_back({{name, unit, meaning}, read, standard});
+    };
+    add(
+        "input.throttle", "1", "pedal of the power units", [](const Sample& s) { return s.input.throttle; }, true);
+    add(
+        "input.clutch", "1", "pedal, 1 pressed", [](const Sample& s) { return s.input.clutch; }, false);
+    add(
+        "input.gear", "1", "-1 reverse, 0 neutral, 1 first", [](const Sample& s) { return s.input.gear; }, true);
+    for (std::size_t i = 0; i < vehicle.power_units.size(); ++i) {
+        add_unit_channels(vehicle.power_units[i].name, i, list);
+    }
+    for (std::size_t i = 0; i < vehicle.differentials.size(); ++i) {
+        const std::string name = vehicle.differentials[i].name + ".differential";
+        const auto add_lock = [&](const char* what, const char* unit, const char* meaning, auto read) {
+            list.push_back({{name + what, unit, meaning}, [i, read](const Sample& s) {
+                                return s.model.vehicle.powertrain.exists() ? read(s.momenta.powertrain.differentials[i])
+                                                                           : 0;
+                            }});
+        };
+        add_lock(".lock_torque", "N m", "from the first output to the second", [](const Lock& d) { return d.lock; });
+        add_lock(".losses", "kW", "of the lock", [](const Lock& d) { return 1e-3 * d.loss; });
+    }
+    add(
+        "energy.supplied", "J", "by the power units",
+        [](const Sample& s) {
+            const Powertrain<double>& powertrain = s.model.vehicle.powertrain;
+            return powertrain.exists() ? powertrain.supplied(s.state.values.data()) : 0;
+        },
+        false);
+}
+
+}  // namespace hamilcar

@@ -1,0 +1,99 @@
+#include "hamilcar/run/scenario_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "hamilcar/io/error.hpp"
+#include "hamilcar/steering/column.hpp"
+
+namespace hamilcar {
+
+void reject_key(const std::string& key, const std::string& message) {
+    throw io::Error(io::ExitCode::bad_file, fmt::format("key '{}'{}", key, message), key);
+}
+
+namespace {
+
+// An input that nothing in the car listens to is a mistake in the scenario or in the vehicle.
+void check_inputs(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
+    if (scenario.steering_input == SteeringInput::steering_wheel && vehicle.steering.rack_per_revolution <= 0) {
+        reject_key("inputs.steering_wheel",
+                   fmt::format(": {} has no [steering]; expected rack_m_per_revolution there, or inputs.rack here",
+                               vehicle.name));
+    }
+    const double driven = driven_share(vehicle);
+    for (const double torque : scenario.drive.value) {
+        if (torque == 0 || driven > 0) continue;
+        reject_key("inputs.drive",
+                   fmt::format(" asks for {:g} N m, but no axle of {} is driven; expected a drive_share there", torque,
+                               vehicle.name));
+    }
+}
+
+// A post that stands under no wheel is a mistake in the scenario.
+void check_posts(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
+    std::size_t wheels = 0;
+    for_each_wheel(vehicle, [&](const auto&, std::size_t) { ++wheels; });
+    const std::size_t posts = scenario.road.posts.height.size();
+    if (posts <= wheels) return;
+    reject_key("road.posts.wheel", fmt::format(": {} posts for the {} wheels of {}", posts, wheels, vehicle.name));
+}
+
+// The rack ends at its stops; a schedule that asks for more is a mistake, not a wish.
+void check_rack(const ScenarioDescription& scenario, const SteeringDescription& steering) {
+    if (scenario.steering_input == SteeringInput::none || steering.rack_travel <= 0) return;
+    const bool wheel = scenario.steering_input == SteeringInput::steering_wheel;
+    const Column column(steering);
+    for (std::size_t i = 0; i < scenario.steering.value.size(); ++i) {
+        const double asked = scenario.steering.value[i], rack = wheel ? column.rack(asked).displacement : asked;
+        if (std::abs(rack) <= steering.rack_travel) continue;
+        reject_key(wheel ? "inputs.steering_wheel" : "inputs.rack",
+                   fmt::format(" at t = {:g} s: the rack would stand at {:.4g}, expected within -{} to {} [m]",
+                               scenario.steering.time[i], rack, steering.rack_travel, steering.rack_travel));
+    }
+}
+
+// Pedals and gears need power units, and a gear has to be there.
+void check_power(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
+    if (!is_powered(scenario)) return;
+    const std::string key = !scenario.throttle.time.empty() ? "inputs.throttle"
+                            : !scenario.gear.time.empty()   ? "inputs.gear"
+                                                            : "driver.gear";
+    if (vehicle.power_units.empty()) {
+        reject_key(key,
+                   fmt::format(": {} has no power unit; expected a [[power_unit]] there, or a torque at the wheels "
+                               "by inputs.drive here",
+                               vehicle.name));
+    }
+    const GearboxDescription& gearbox = vehicle.power_units.front().gearbox;
+    const auto check = [&](const std::string& where, double gear) {
+        const double last = static_cast<double>(gearbox.ratios.size()), first = gearbox.reverse_ratio > 0 ? -1 : 0;
+        if (gear >= first && gear <= last && gear == std::floor(gear)) return;
+        reject_key(where, fmt::format(" = {:g}: {} has no such gear; expected one of {:g} ({}) to {:g}", gear,
+                                      vehicle.name, first, first < 0 ? "reverse" : "neutral", last));
+    };
+    if (scenario.gear.time.empty() && !scenario.driver.shifting) {
+        reject_key(key, ": no gear is in; expected inputs.gear or [driver.gear] beside it");
+    }
+    for (const double gear : scenario.gear.value) check("inputs.gear", gear);
+    const auto& shifting = scenario.driver.shifting;
+    if (shifting && shifting->gear) check("driver.gear", *shifting->gear);
+}
+
+}  // namespace
+
+void check_scenario(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
+    check_inputs(scenario, vehicle);
+    check_power(scenario, vehicle);
+    check_posts(scenario, vehicle);
+    check_rack(scenario, vehicle.steering);
+}
+
+VehicleDescription as_driven(VehicleDescription vehicle, const ScenarioDescription& scenario) {
+    check_scenario(scenario, vehicle);
+    if (!is_powered(scenario)) vehicle.power_units.clear(), vehicle.differentials.clear();
+    return vehicle;
+}
+
+}  // namespace hamilcar

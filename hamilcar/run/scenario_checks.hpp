@@ -1,0 +1,21 @@
+// What a scenario asks of a vehicle that it cannot do: a person's mistakes, found before anything moves.
+#pragma once
+
+#include <string>
+
+#include "hamilcar/description/scenario.hpp"
+#include "hamilcar/description/vehicle.hpp"
+
+namespace hamilcar {
+
+// A mistake at a key of the scenario; the message goes on after the key's name. Throws io::Error(bad_file).
+[[noreturn]] void reject_key(const std::string& key, const std::string& message);
+
+// Throws io::Error(bad_file) for an input that nothing in the vehicle listens to, a gear that it does not have, a rack beyond
+// its stops, a post under no wheel.
+void check_scenario(const ScenarioDescription& scenario, const VehicleDescription& vehicle);
+
+// The vehicle as the scenario drives it: checked, and without power units where nobody uses them (is_powered).
+VehicleDescription as_driven(VehicleDescription vehicle, const ScenarioDescription& scenario);
+
+}  // namespace hamilcar

@@ -1,0 +1,134 @@
+// Maneuvers, comparisons, power and interrupted runs as a person meets them at the command line.
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+
+namespace hamilcar {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+const std::string car = test::source_path("vehicles/bmw_323i.toml");
+const std::string driven =
+    "[initial]\nvelocity_m_per_s = 10.0\n[driver.speed]\nspeed_m_per_s = 14.0\n[driver.gear]\nnumber = 2\n"
+    "[driver.path]\nx_m = [0.0, 10.0, 40.0]\ny_m = [0.0, 0.0, 2.0]\n";
+
+TEST_F(Program, DrivesAManeuverAndWritesItsReport) {
+    const Outcome r = run("run --maneuver step_steer --vehicle " + car + " -o out");
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_THAT(r.out, HasSubstr("ISO 7401"));
+    EXPECT_THAT(r.out, HasSubstr("yaw rate response time"));
+    const auto facts = nlohmann::json::parse(contents(folder_ / "out/outcome.json"));
+    EXPECT_TRUE(facts["passed"]);
+    EXPECT_GT(facts["charts"].size(), 0u);
+    EXPECT_THAT(contents(folder_ / "out/report.html"), HasSubstr("verdicts"));
+    EXPECT_EQ(run("view out/drive.nc").code, 0);
+}
+
+TEST_F(Program, TellsAFailedVerdictByItsExitCode) {
+    const Outcome r = run("run --maneuver double_lane_change --vehicle " + car + " --set speed=140 --json -o out");
+    EXPECT_EQ(r.code, 1) << r.err;
+    const auto facts = nlohmann::json::parse(r.out);
+    EXPECT_FALSE(facts["passed"]);
+    EXPECT_FALSE(facts.contains("charts"));
+}
+
+TEST_F(Program, DrivesAManeuverOfAScenarioFile) {
+    const std::string scenario =
+        scenario_for(car, "[maneuver]\nname = \"weave\"\n[maneuver.settings]\nspeed_km_per_h = 90.0\n");
+    ASSERT_EQ(run("check " + scenario).code, 0);
+    const Outcome r = run("run " + scenario + " --json");
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(nlohmann::json::parse(r.out)["settings"][0]["value"], 90);
+    for (const auto& [more, what] : std::vector<std::pair<std::string, std::string>>{
+             {"[maneuver]\nname = \"weeve\"\n", "did you mean 'weave'"},
+             {"[maneuver]\nname = \"weave\"\n[maneuver.settings]\nspeed_km_per_h = 900.0\n", "[km/h]"},
+             {"[maneuver]\nname = \"weave\"\n[maneuver.settings]\nsped = 90.0\n", "did you mean 'speed'"}}) {
+        for (const char* command : {"run ", "check "}) {
+            const Outcome mistaken = run(command + scenario_for(car, more));
+            EXPECT_EQ(mistaken.code, 3) << more;
+            EXPECT_THAT(mistaken.err, HasSubstr(what));
+            EXPECT_THAT(mistaken.err, HasSubstr("scenario.toml:"));
+        }
+    }
+}
+
+TEST_F(Program, SaysWhatAVehicleCannotDo) {
+    const std::string paper = test::source_path("vehicles/bmw_323i_paper.toml");
+    const Outcome r = run("run --maneuver acceleration --vehicle " + paper);
+    EXPECT_EQ(r.code, 3);
+    EXPECT_THAT(r.err, HasSubstr("power_unit"));
+    EXPECT_EQ(run("run --maneuver weave --set speed=fast").code, 2);
+    EXPECT_EQ(run("run --maneuver weave --checkpoint state").code, 2);
+    EXPECT_EQ(run("run").code, 2);
+    EXPECT_EQ(run("run " + scenario_for(car) + " --set speed=3").code, 2);
+}
+
+TEST_F(Program, ListsManeuversForAVehicle) {
+    const Outcome r = run("maneuvers " + car + " --json");
+    ASSERT_EQ(r.code, 0) << r.err;
+    const auto list = nlohmann::json::parse(r.out);
+    EXPECT_EQ(list.size(), 19u);
+    for (const auto& maneuver : list) EXPECT_FALSE(maneuver["summary"].get<std::string>().empty());
+    EXPECT_THAT(run("maneuvers").out, HasSubstr("speed=80 km/h"));
+}
+
+TEST_F(Program, ComparesOutcomes) {
+    ASSERT_EQ(run("run --maneuver weave --vehicle " + car + " -o a").code, 0);
+    ASSERT_EQ(run("run --maneuver weave --vehicle " + car + " --set speed=80 -o b").code, 0);
+    const Outcome r = run("compare a b/outcome.json -o both.html");
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_THAT(contents(folder_ / "both.html"), HasSubstr("speed 80 km/h"));
+    EXPECT_EQ(run("compare a").code, 2);
+    EXPECT_EQ(run("compare a nowhere").code, 5);
+    std::ofstream(folder_ / "no.json") << "{}";
+    const Outcome mistaken = run("compare a no.json");
+    EXPECT_EQ(mistaken.code, 3);
+    EXPECT_THAT(mistaken.err, HasSubstr("no.json"));
+}
+
+TEST_F(Program, ResumesToTheSameBytes) {
+    const std::string scenario = scenario_for(car, driven);
+    ASSERT_EQ(run("run " + scenario + " -o whole").code, 0);
+    // The first part ends with its process, not at the end of the scenario: a checkpoint every 0.3 s, the last one at 0.9 s.
+    ASSERT_EQ(run("run " + scenario + " -o parts --checkpoint state --checkpoint-interval 0.3").code, 0);
+    std::string text = contents(folder_ / "scenario.toml");
+    text.replace(text.find("duration_s = 1.0"), 16, "duration_s = 0.64");
+    std::ofstream(folder_ / "short.toml") << text;
+    ASSERT_EQ(run("run short.toml -o parts --checkpoint state").code, 0);
+    ASSERT_NE(contents(folder_ / "parts/results.csv"), contents(folder_ / "whole/results.csv"));
+    const Outcome r = run("run " + scenario + " -o parts --resume state");
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(contents(folder_ / "parts/results.csv"), contents(folder_ / "whole/results.csv"));
+    EXPECT_EQ(contents(folder_ / "parts/results.nc"), contents(folder_ / "whole/results.nc"));
+    EXPECT_EQ(run("run " + scenario + " -o elsewhere --resume state").code, 3);
+    EXPECT_EQ(run("run " + scenario + " -o parts --resume nowhere").code, 5);
+    const Outcome other = run("run " + scenario + " -o parts --resume state --step 5e-4");
+    EXPECT_EQ(other.code, 3);
+    EXPECT_THAT(other.err, HasSubstr("another vehicle, scenario, method or step"));
+}
+
+TEST_F(Program, RecordsWhatTheEngineDoesAndRefusesGearsThatAreNotThere) {
+    const std::string throttle = "[inputs.throttle]\npedal = 0.5\n";
+    const Outcome r = run("run " + scenario_for(car, throttle + "[inputs.gear]\nnumber = 1\n") + " -o out");
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_THAT(contents(folder_ / "out/results.csv"), HasSubstr("engine.speed [rpm]"));
+    const Outcome sixth = run("run " + scenario_for(car, throttle + "[inputs.gear]\nnumber = 6\n"));
+    EXPECT_EQ(sixth.code, 3);
+    EXPECT_THAT(sixth.err, HasSubstr("expected one of -1 (reverse) to 5"));
+    const Outcome none = run("run " + scenario_for(car, throttle));
+    EXPECT_EQ(none.code, 3);
+    EXPECT_THAT(none.err, HasSubstr("no gear is in"));
+    const std::string paper = test::source_path("vehicles/bmw_323i_paper.toml");
+    EXPECT_THAT(run("run " + scenario_for(paper, throttle)).err, HasSubstr("has no power unit"));
+    const Outcome unpowered = run("run " + scenario_for(car) + " -o plain");
+    ASSERT_EQ(unpowered.code, 0);
+    EXPECT_THAT(contents(folder_ / "plain/results.csv"), testing::Not(HasSubstr("engine.speed")));
+}
+
+}  // namespace
+}  // namespace hamilcar

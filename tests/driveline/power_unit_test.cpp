@@ -1,0 +1,198 @@
+// Power units against hand calculations: curves between their points, gears and their torsion, converters, and the power that
+// may be lost but never made.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "hamilcar/vehicle/build.hpp"
+
+namespace hamilcar {
+namespace {
+
+EngineDescription engine() {
+    const std::vector<double> speed{80, 400, 600};
+    return {.throttle = {0, 1}, .torque = {{speed, {-10, -30, -40}}, {speed, {100, 200, 150}}}, .idle_speed = 80};
+}
+
+// Two wheels behind one differential, nothing else.
+VehicleDescription axle() {
+    VehicleDescription d;
+    d.corners.resize(2);
+    for (CornerDescription& corner : d.corners)
+        corner.wheel = {.center = {}, .spin_axis = {0, 1, 0}, .spin_inertia = 0.8};
+    PowerUnitDescription unit{.name = "engine", .source = engine(), .inertia = 0.2};
+    unit.coupling = ClutchDescription{.capacity = 300};
+    unit.stiffness = 1000, unit.damping_ratio = 0.1;
+    unit.gearbox = {.ratios = {4, 2, 1}, .reverse_ratio = 3, .efficiency = 0.9};
+    d.power_units = {unit};
+    d.differentials = {{.name = "rear", .ratio = 3, .outputs = {{{true, 0}, {true, 1}}}, .shaft_stiffness = 5000}};
+    return d;
+}
+
+Powertrain<double> powertrain() {
+    return make_powertrain<double>(axle());
+}
+
+TEST(CombustionEngine, InterpolatesBetweenSpeedsAndThrottles) {
+    const CombustionEngine<double> e(engine());
+    EXPECT_NEAR(e.at(1, 240), 150, 1e-12);
+    EXPECT_NEAR(e.at(0, 240), -20, 1e-12);
+    EXPECT_NEAR(e.at(0.5, 240), 65, 1e-12);
+    EXPECT_NEAR(e.at(1, 500), 175, 1e-12);
+    EXPECT_NEAR(e.at(1, 900), 150, 1e-12) << "constant beyond the last point";
+    EXPECT_NEAR(e.at(2, 240), e.at(1, 240), 0) << "a pedal has an end";
+}
+
+TEST(CombustionEngine, IdlesBetweenDragAndGovernor) {
+    const CombustionEngine<double> e(engine());
+    double speed = 300;  // let it run by itself, with the rotor's inertia
+    for (int i = 0; i < 20000; ++i) speed += 1e-3 * e.at(0, speed) / 0.2;
+    EXPECT_GT(speed, 0.9 * 80);
+    EXPECT_LT(speed, 80);
+    EXPECT_NEAR(e.at(0, speed), 0, 1e-9);
+}
+
+TEST(CombustionEngine, StallsUnderLoadAndStartsAgain) {
+    const CombustionEngine<double> e(engine());
+    EXPECT_GT(e.at(0, 0), 0) << "the starter turns it";
+    EXPECT_LT(e.at(1, 0), 0.5 * 100) << "but it does not burn";
+    double speed = 0;
+    for (int i = 0; i < 5000; ++i) speed += 1e-3 * e.at(0, speed) / 0.2;
+    EXPECT_GT(speed, 0.9 * 80) << "freed, it comes back to idle";
+}
+
+TEST(ElectricMotor, HasConstantTorqueThenConstantPower) {
+    const ElectricMotor<double> m({.max_torque = 200, .max_power = 60e3, .max_speed = 1200, .regeneration = 0.25});
+    EXPECT_NEAR(m.at(1, 100), 200, 1e-12);
+    EXPECT_NEAR(m.at(1, 299), 200, 1e-12);
+    EXPECT_NEAR(m.at(1, 600), 100, 1e-12);
+    EXPECT_NEAR(m.at(1, 1200), 0, 1e-12);
+    EXPECT_NEAR(m.at(0, 600), -25, 1e-12);
+    EXPECT_NEAR(m.at(0, 0), 0, 1e-12) << "at rest nothing is regenerated";
+    EXPECT_NEAR(m.at(0, -600), 25, 1e-12) << "it brakes backward too";
+}
+
+TEST(Gears, AreInterpolatedAndKnowWhichExist) {
+    const Gears<double> gears = powertrain().units[0].gears;
+    EXPECT_EQ(gears.at(1).ratio, 4);
+    EXPECT_EQ(gears.at(3).ratio, 1);
+    EXPECT_EQ(gears.at(7).ratio, 1) << "beyond the last the last";
+    EXPECT_EQ(gears.at(-1).ratio, -3);
+    EXPECT_EQ(gears.at(0).ratio, 0);
+    EXPECT_EQ(gears.at(0).connected, 0);
+    EXPECT_NEAR(gears.at(1.25).ratio, 3.5, 1e-15);
+    VehicleDescription forward_only = axle();
+    forward_only.power_units[0].gearbox.reverse_ratio = 0;
+    EXPECT_EQ(make_powertrain<double>(forward_only).units[0].gears.at(-1).connected, 0);
+}
+
+TEST(Gears, FeelTheTorsionOfAllShaftsInSeries) {
+    // Both half-shafts side by side at the wheels, seen through 4 x 3 in first gear, in series with the unit's own.
+    const double seen = 2 * 5000 / (12.0 * 12.0);
+    EXPECT_NEAR(powertrain().units[0].gears.at(1).stiffness, 1 / (1 / 1000.0 + 1 / seen), 1e-9);
+    const double wheels = 2 * 0.8 / (12.0 * 12.0), inertia = 0.2 * wheels / (0.2 + wheels);
+    const auto first = powertrain().units[0].gears.at(1);
+    EXPECT_NEAR(first.damping, 2 * 0.1 * std::sqrt(first.stiffness * inertia), 1e-9);
+}
+
+TEST(PowerUnit, PassesTheWindUpsTorqueThroughRatioAndEfficiency) {
+    const PowerUnit<double> unit = powertrain().units[0];
+    const double shaft = 20, rotor = 80, windup = 0.5;  // second gear of ratio 2: 40 rad/s at the input, slipping
+    const auto out = unit.evaluate(0.5, 0, 2, rotor, shaft, windup, 0, 0);
+    EXPECT_EQ(out.shaft_speed, 40);
+    EXPECT_NEAR(out.out, 2 * 0.9 * out.clutch, 1e-12);
+    EXPECT_NEAR(out.rotor, out.source - out.clutch, 1e-12);
+    const auto open = unit.evaluate(0.5, 1, 2, rotor, shaft, windup, 0, 0);
+    EXPECT_EQ(open.clutch, 0) << "a pressed pedal opens the clutch";
+    EXPECT_EQ(open.out, 0);
+    EXPECT_EQ(unit.evaluate(0.5, 0, 0, rotor, shaft, windup, 0, 0).out, 0) << "neutral";
+}
+
+TEST(PowerUnit, NeverMakesPower) {
+    VehicleDescription d = axle();
+    d.power_units[0].coupling = ConverterDescription{
+        .speed_ratio = {0, 0.8, 1}, .torque_ratio = {2, 1, 1}, .capacity = {2e-3, 1.6e-3, 0}, .lockup_capacity = 200};
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> some(-1, 1);
+    for (const VehicleDescription& vehicle : {axle(), d}) {
+        const PowerUnit<double> unit = make_powertrain<double>(vehicle).units[0];
+        for (int i = 0; i < 20000; ++i) {
+            const double rotor = 400 * some(random), shaft = 60 * some(random), gear = 2 + 2 * some(random);
+            const double steady = unit.converter.evaluate(rotor, unit.gears.at(gear).ratio * shaft).pump;
+            const auto out = unit.evaluate(0.3, 0, gear, rotor, shaft, 0, 0, steady);
+            const double in_power = (out.clutch + out.pump) * rotor, out_power = out.out * shaft;
+            EXPECT_NEAR(out.loss, in_power - out_power, 1e-9 * (1 + std::abs(in_power)));
+            EXPECT_GE(out.loss, -1e-9 * (1 + std::abs(in_power)))
+                << "rotor " << rotor << ", shaft " << shaft << ", gear " << gear;
+        }
+    }
+}
+
+TEST(Converter, MultipliesAtStallAndNotWhenItOverruns) {
+    Converter<double> c{Curve<double>({0, 0.8, 1}, {2, 1, 1}), Curve<double>({0, 0.8, 1}, {2e-3, 1.6e-3, 0}), 1, 120};
+    const auto stall = c.evaluate(200, 0);
+    EXPECT_NEAR(stall.pump, 2e-3 * 200 * 200, 1e-9);
+    EXPECT_NEAR(stall.multiplication, 2, 1e-12);
+    const auto alike = c.evaluate(200, 200);
+    EXPECT_NEAR(alike.pump, 0, 1e-12);
+    const auto overrun = c.evaluate(160, 200);
+    EXPECT_NEAR(overrun.pump, -1.6e-3 * 200 * 200, 1e-9) << "the turbine drives the pump";
+    EXPECT_EQ(overrun.multiplication, 1);
+    EXPECT_EQ(c.bridged(200, 100), 0);
+    EXPECT_EQ(c.bridged(200, 199), 1);
+    EXPECT_EQ(c.bridged(100, 99), 0) << "too slow, it would stall the engine";
+}
+
+TEST(Differential, SharesTorqueAndLocksAsItsKindSays) {
+    VehicleDescription d = axle();
+    DifferentialDescription& rear = d.differentials[0];
+    const auto made = [&] { return make_powertrain<double>(d).differentials[0]; };
+    const auto open = made().evaluate(100, 30, 20, 0);
+    EXPECT_EQ(open.a, 150);
+    EXPECT_EQ(open.b, 150);
+    EXPECT_EQ(made().input_speed(30, 20), 75);
+    rear.kind = DifferentialKind::limited_slip, rear.locking_drive = 0.125, rear.preload = 20;
+    const auto slipping = made().evaluate(100, 30, 20, 1.0);  // wound up beyond what holds
+    EXPECT_NEAR(slipping.lock, 20 + 0.125 * 300, 1e-9);
+    EXPECT_NEAR(slipping.a + slipping.b, 300, 1e-9);
+    EXPECT_GT(slipping.b, slipping.a) << "the slower wheel gets more";
+    rear.kind = DifferentialKind::locked;
+    const auto locked = made().evaluate(0, 0, 0, 0.01);
+    EXPECT_NEAR(locked.lock, 0.01 * 5000 / 2, 1e-9) << "two shafts in series";
+    rear = {.name = "rear", .kind = DifferentialKind::viscous, .ratio = 3, .viscosity = 8};
+    rear.outputs = {{{true, 0}, {true, 1}}}, rear.shaft_stiffness = 5000;
+    EXPECT_NEAR(made().evaluate(0, 30, 20, 0).lock, 80, 1e-12);
+}
+
+TEST(Powertrain, LeadsTorquesDownATreeAndSpeedsUp) {
+    VehicleDescription d = axle();
+    d.corners.resize(4, d.corners[0]);
+    d.differentials = {
+        {.name = "front", .ratio = 4, .outputs = {{{true, 0}, {true, 1}}}, .shaft_stiffness = 5e3},
+        {.name = "rear", .ratio = 4, .outputs = {{{true, 2}, {true, 3}}}, .shaft_stiffness = 5e3},
+        {.name = "center", .ratio = 1.5, .share = 0.4, .outputs = {{{false, 0}, {false, 1}}}, .shaft_stiffness = 5e4}};
+    d.power_units[0].output = 2;
+    const Powertrain<double> p = make_powertrain<double>(d);
+    std::array<double, max_driven_wheels> speeds{10, 12, 20, 24};
+    const auto in = p.input_speeds(speeds);
+    EXPECT_NEAR(in[0], 44, 1e-12);
+    EXPECT_NEAR(in[1], 88, 1e-12);
+    EXPECT_NEAR(in[2], 1.5 * (0.4 * 44 + 0.6 * 88), 1e-12);
+    std::vector<double> values(static_cast<std::size_t>(p.size()));
+    p.unit_state(0, values.data()).momentum = 0.2 * 300;
+    p.unit_state(0, values.data()).windup = 0.3;
+    PowertrainMomenta<double> out;
+    p.evaluate(0.5, 0, 2, Vec3<double>::Zero(), speeds, values.data(), out);
+    const double torque = out.units[0].out;
+    EXPECT_NE(torque, 0);
+    EXPECT_NEAR(out.wheels[0], torque * 1.5 * 0.4 * 4 / 2, 1e-9);
+    EXPECT_NEAR(out.wheels[3], torque * 1.5 * 0.6 * 4 / 2, 1e-9);
+    double wheel_power = 0;
+    for (std::size_t i = 0; i < 4; ++i) wheel_power += out.wheels[i] * speeds[i];
+    EXPECT_NEAR(wheel_power, torque * in[2], 1e-9) << "open differentials lose nothing";
+    EXPECT_NEAR(out.supplied, out.units[0].source * 300, 1e-9);
+}
+
+}  // namespace
+}  // namespace hamilcar

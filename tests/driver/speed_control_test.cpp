@@ -1,0 +1,161 @@
+// Speeds are held with the pedals: by an engine and by a torque at the wheels, up and down hills, and honestly where they are
+// out of reach.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "driver/powered_car.hpp"
+
+namespace hamilcar {
+namespace {
+
+using test::PoweredCar;
+using test::PoweredDrive;
+
+DriverDescription holding(const SignalDescription& speed, bool may_brake = true) {
+    return {.speed = SpeedControlDescription{.speed = speed, .may_brake = may_brake},
+            .shifting = ShiftingDescription{.gear = 3}};
+}
+
+// A mass with resistance and brakes, and a torque at its wheels.
+struct Mass {
+    double speed = 20, grade = 0;
+    static constexpr double mass = 1500, radius = 0.3, full_brake_force = 15e3;
+    double drive_torque = 0, brake = 0;
+
+    void go(const DriverDescription& description, double duration) {
+        const DrivenCar known{.mass = mass, .wheel_radius = radius, .full_brake_force = full_brake_force};
+        Schedule schedule({}, {});
+        driver = Driver(description, known, Column());
+        driver.begin(schedule);
+        for (int i = 0; i < duration * 1000; ++i) {
+            const double time = i * 1e-3;
+            if (i % 5 == 0) driver.act({.time = time, .speed = speed}, schedule);
+            drive_torque = schedule.signal(Control::drive_torque).at(time).value;
+            brake = schedule.signal(Control::brake).at(time).value;
+            both += drive_torque > 0 && brake > 0, most_brake = std::max(most_brake, brake);
+            const double resistance = 0.2 + 3e-4 * speed * speed + 9.81 * grade;
+            speed += 1e-3 * ((drive_torque / radius - brake * full_brake_force * std::tanh(speed / 0.02)) / mass -
+                             resistance * std::tanh(speed / 0.02));
+            fastest = std::max(fastest, speed), slowest = std::min(slowest, speed);
+        }
+    }
+    Driver driver;
+    double fastest = 0, slowest = 1e9, most_brake = 0;
+    int both = 0;  // steps with both feet down
+};
+
+TEST(SpeedControl, HoldsASpeedWithoutAnError) {
+    for (const double grade : {-0.08, -0.03, 0.0, 0.03, 0.08}) {
+        Mass car{.grade = grade};
+        car.go({.speed = SpeedControlDescription{.speed = {{0}, {20}}}}, 40);
+        EXPECT_NEAR(car.speed, 20, 0.01) << grade;
+        EXPECT_LT(car.fastest - car.slowest, 0.6) << grade;
+        EXPECT_LT(car.both, 200) << grade;
+    }
+}
+
+TEST(SpeedControl, BeginsAtItsSpeedWithHardlyADip) {
+    PoweredCar car;
+    car.speed = 20;
+    PoweredDrive drive(car, holding({{0}, {20}}));
+    double least = 20, most = 20;
+    drive.go(15, [&] { least = std::min(least, drive.car.speed), most = std::max(most, drive.car.speed); });
+    EXPECT_GT(least, 19.8);
+    EXPECT_LT(most, 20.2);
+    EXPECT_NEAR(drive.car.speed, 20, 0.01);
+    EXPECT_TRUE(drive.driver.complaints().empty());
+}
+
+TEST(SpeedControl, FollowsASpeedThatRises) {
+    PoweredCar car;
+    car.speed = 15;
+    PoweredDrive drive(car, holding({{2, 22}, {15, 25}, Interpolation::linear}));
+    double worst = 0;
+    drive.go(22, [&] {
+        if (drive.time() > 6) worst = std::max(worst, std::abs(drive.car.speed - 15 - 0.5 * (drive.time() - 2)));
+    });
+    EXPECT_LT(worst, 0.15);
+}
+
+// Twice the wanted step, once up and once down: no more than may be asked for, and no overshoot to speak of.
+TEST(SpeedControl, StepsWithinTheAccelerationThatMayBeAskedFor) {
+    Mass up{.speed = 10}, down{.speed = 30};
+    DriverDescription description{.speed = SpeedControlDescription{.speed = {{0}, {20}}, .largest_acceleration = 2}};
+    up.go(description, 4);
+    EXPECT_NEAR(up.speed, 18, 0.7);
+    down.go(description, 4);
+    EXPECT_NEAR(down.speed, 22, 0.7);
+    up.go(description, 30);
+    down.go(description, 30);
+    EXPECT_NEAR(up.speed, 20, 0.02);
+    EXPECT_NEAR(down.speed, 20, 0.02);
+    EXPECT_LT(up.fastest, 20.5);
+    EXPECT_GT(down.slowest, 19.5);
+    EXPECT_EQ(up.most_brake, 0);
+    EXPECT_GT(down.most_brake, 0.1);
+}
+
+TEST(SpeedControl, OnlyLiftsTheFootIfItMayNotBrake) {
+    Mass car{.speed = 30};
+    car.go({.speed = SpeedControlDescription{.speed = {{0}, {20}}, .may_brake = false}}, 10);
+    EXPECT_EQ(car.most_brake, 0);
+    EXPECT_EQ(car.drive_torque, 0);
+    EXPECT_GT(car.speed, 24);
+}
+
+// On a grade that the drag of the engine holds nearly, the feet do not change pedals back and forth.
+TEST(SpeedControl, DoesNotChatterBetweenThePedals) {
+    for (double grade = -0.12; grade < 0.001; grade += 0.01) {
+        PoweredCar car;
+        car.speed = 20, car.grade = grade;
+        PoweredDrive drive(car, holding({{0}, {20}}));
+        int changes = 0;
+        bool braking = false, both = false;
+        drive.go(40, [&] {
+            const bool now = drive.value(Control::brake) > 0;
+            changes += now != braking, braking = now;
+            both |= drive.value(Control::throttle) > 0.1 && drive.value(Control::brake) > 0.05;
+        });
+        EXPECT_LE(changes, 3) << grade;
+        EXPECT_FALSE(both) << grade;
+        EXPECT_NEAR(drive.car.speed, 20, 0.1) << grade;
+    }
+}
+
+TEST(SpeedControl, StopsAndStands) {
+    Mass car{.speed = 8, .grade = 0.0};
+    car.go({.speed = SpeedControlDescription{.speed = {{0}, {0}}}}, 12);
+    EXPECT_NEAR(car.speed, 0, 0.02);
+    EXPECT_GT(car.brake, 0.05);
+    EXPECT_EQ(car.drive_torque, 0);
+}
+
+TEST(SpeedControl, SaysWhatIsOutOfReach) {
+    PoweredCar car;
+    car.speed = 30;
+    PoweredDrive drive(
+        car, {.speed = SpeedControlDescription{.speed = {{0}, {80}}}, .shifting = ShiftingDescription{.gear = 5}});
+    drive.go(5);
+    EXPECT_THAT(drive.driver.complaints(), testing::ElementsAre(testing::HasSubstr("80 m/s was not reached in time")));
+    drive.go(100);
+    ASSERT_EQ(drive.driver.complaints().size(), 1u);
+    EXPECT_THAT(drive.driver.complaints()[0], testing::HasSubstr("80 m/s was out of reach: the car came to "));
+    EXPECT_EQ(drive.value(Control::throttle), 1);
+}
+
+// Having stood at full throttle for long, the integral has not grown beyond use.
+TEST(SpeedControl, DoesNotWindUp) {
+    PoweredCar car;
+    car.speed = 30, car.grade = 0.25;
+    PoweredDrive drive(car, holding({{0, 20, 20.1}, {30, 30, 20}, Interpolation::linear}));
+    drive.go(20);
+    EXPECT_LT(drive.car.speed, 29);
+    drive.car.speed = 22, drive.car.grade = 0;
+    double slowest = 30;
+    drive.go(20, [&] { slowest = std::min(slowest, drive.car.speed); });
+    EXPECT_NEAR(drive.car.speed, 20, 0.05);
+    EXPECT_GT(slowest, 19);
+}
+
+}  // namespace
+}  // namespace hamilcar

@@ -1,0 +1,111 @@
+#include "hamilcar/maneuver/common.hpp"
+#include "hamilcar/maneuver/pull.hpp"
+#include "maneuver/straight_support.hpp"
+
+namespace hamilcar::test {
+namespace {
+
+constexpr double mile = 1609.344, radius = 0.288;  // [m]; rolling, of the driven wheels
+
+// The car as one mass behind its gearbox, by hand: the engine's full load over its speed, a launch at the clutch's slip, a
+// pause for each change of gear.
+struct LumpedCar {
+    VehicleDescription car = shipped_car();
+    const PowerUnitDescription& unit = car.power_units.front();
+    const TorqueCurve& curve = std::get<EngineDescription>(unit.source).torque.back();
+    double axle = car.differentials.front().ratio;
+
+    double torque(double speed) const {
+        for (std::size_t i = 1; i < curve.speed.size(); ++i) {
+            if (speed > curve.speed[i]) continue;
+            const double share = (speed - curve.speed[i - 1]) / (curve.speed[i] - curve.speed[i - 1]);
+            return curve.torque[i - 1] + share * (curve.torque[i] - curve.torque[i - 1]);
+        }
+        return 0;
+    }
+    // Seconds to a speed or a distance, whichever comes first.
+    double time_to(double speed, double distance) const {
+        constexpr double launch = 3400 * std::numbers::pi / 30, step = 1e-3;  // of the rotor [rad/s]; [s]
+        double v = 0, x = 0, t = 0, pause = 0;
+        std::size_t gear = 0;
+        while (v < speed && x < distance && t < 60) {
+            const double ratio = unit.gearbox.ratios[gear] * axle, turns = v / radius * ratio;
+            if (turns > unit.gearbox.upshift_speed && gear + 1 < unit.gearbox.ratios.size()) {
+                ++gear, pause = unit.gearbox.shift_time;
+            }
+            const bool slips = turns < launch;
+            const double rotor = slips ? 0 : unit.inertia * std::pow(ratio / radius, 2);
+            const double wheels = 4 * 0.85 / (radius * radius);  // [kg]
+            const double pull =
+                pause > 0 ? 0 : torque(std::max(turns, launch)) * ratio * unit.gearbox.efficiency / radius;
+            const double against = 0.0105 * 1150 * car.gravity + 0.5 * 1.2 * 0.703 * v * v;  // [N]
+            v += step * (pull - against) / (1150 + wheels + (pause > 0 ? 0 : rotor));
+            x += step * v, t += step, pause -= step;
+        }
+        return t;
+    }
+};
+
+// The rotor and the clutch that gives its speed away at a launch are what the lumped car has not: some tenths of a second.
+TEST(Acceleration, AgreesWithTheCarAsOneMass) {
+    const Outcome outcome = driven_straight(acceleration(), shipped_car(), {{"elasticity_gear", 0}});
+    const LumpedCar lumped;
+    EXPECT_NEAR(figure_named(outcome, "0 to 100 km/h"), lumped.time_to(100 * kilometer_per_hour, 1e4), 0.6);
+    EXPECT_NEAR(figure_named(outcome, "quarter mile"), lumped.time_to(1e3, mile / 4), 0.5);
+    const double top = figure_named(outcome, "top speed");
+    EXPECT_NEAR(top, figure_named(outcome, "top speed by the balance of forces"), 0.02 * top);
+    EXPECT_LT(std::abs(outcome.energy.gap()), 1e-6 * outcome.energy.turnover);
+    EXPECT_LT(figure_named(outcome, "0 to 50 km/h"), figure_named(outcome, "0 to 60 mph"));
+}
+
+// Published for the 323i (../shared/vehicle/bmw-323i.md, section 4): 8.1 s to 60 mph, 9.0 s to 100 km/h, 16.5 s over the
+// quarter mile. At the file's mass, curb weight and a driver, the car is faster than that: by 7, 11 and 5 percent.
+TEST(Acceleration, IsFasterThanPublishedByATenthAtMost) {
+    const Outcome outcome = driven_straight(acceleration(), shipped_car(), {{"elasticity_gear", 0}, {"top_speed", 0}});
+    EXPECT_NEAR(figure_named(outcome, "0 to 60 mph"), 8.1, 0.08 * 8.1);
+    EXPECT_NEAR(figure_named(outcome, "0 to 100 km/h"), 9.0, 0.12 * 9.0);
+    EXPECT_NEAR(figure_named(outcome, "quarter mile"), 16.5, 0.05 * 16.5);
+}
+
+// What the published car carried nobody says. Test cars carry instruments and often a second person: with the interior load
+// of UN R140's tests, 168 kg with a driver of whom the file has 70 kg, all three times are within 5 percent.
+TEST(Acceleration, IsWithinFivePercentOfPublishedTimesAtATestsLoad) {
+    const Outcome outcome =
+        driven_straight(acceleration(), shipped_car(), {{"load", 168 - 70}, {"elasticity_gear", 0}, {"top_speed", 0}});
+    EXPECT_NEAR(figure_named(outcome, "0 to 60 mph"), 8.1, 0.05 * 8.1);
+    EXPECT_NEAR(figure_named(outcome, "0 to 100 km/h"), 9.0, 0.05 * 9.0);
+    EXPECT_NEAR(figure_named(outcome, "quarter mile"), 16.5, 0.05 * 16.5);
+}
+
+// From the balance in a gear: time = integral of m dv over pull less resistance.
+TEST(Acceleration, ElasticityIsTheIntegralOverTheBalance) {
+    const VehicleDescription car = shipped_car();
+    const Outcome outcome = driven_straight(acceleration(), car, {{"distance", 50}, {"top_speed", 0}});
+    const LumpedCar lumped;
+    const double ratio = car.power_units[0].gearbox.ratios[3] * lumped.axle;
+    const double mass = 1150 + 4 * 0.85 / (radius * radius) + 0.18 * std::pow(ratio / radius, 2);
+    double time = 0;
+    constexpr double step = 0.01;
+    for (double v = 80 * kilometer_per_hour; v < 120 * kilometer_per_hour; v += step) {
+        const double pull = lumped.torque(v / radius * ratio) * ratio * 0.9 / radius;
+        time += step * mass / (pull - 0.0105 * 1150 * car.gravity - 0.5 * 1.2 * 0.703 * v * v);
+    }
+    EXPECT_NEAR(figure_named(outcome, "80 to 120 km/h in gear 4"), time, 0.02 * time);
+}
+
+TEST(Acceleration, SaysWhatItCouldNotReach) {
+    const Outcome outcome =
+        driven_straight(acceleration(), shipped_car(), {{"distance", 50}, {"top_speed", 0}, {"elasticity_to", 300}});
+    EXPECT_TRUE(std::isnan(figure_named(outcome, "0 to 200 km/h")));
+    ASSERT_FALSE(outcome.notes.empty());
+    EXPECT_NE(outcome.notes.front().find("does not pull"), std::string::npos);
+}
+
+TEST(Acceleration, RefusesAndStops) {
+    EXPECT_FALSE(acceleration().obstacle(paper_car()).empty());
+    expect_bad_settings(acceleration(), {{"elasticity_gear", 6}});
+    expect_interruptible(acceleration());
+}
+
+}  // namespace
+}  // namespace hamilcar::test

@@ -1,0 +1,108 @@
+// ISO 7975: the values against closed forms for motions put together by hand, and the car against its linear theory.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hamilcar/analysis/handling.hpp"
+#include "hamilcar/io/error.hpp"
+#include "hamilcar/maneuver/catalog.hpp"
+#include "hamilcar/maneuver/circle_braking.hpp"
+#include "hamilcar/steering/column.hpp"
+#include "support/car.hpp"
+
+namespace hamilcar {
+namespace {
+
+const Maneuver maneuver = braking_in_turn();
+
+Outcome outcome_of(const VehicleDescription& car, const Settings& chosen) {
+    ManeuverOptions options;
+    options.keep_runs = false;
+    return maneuver.drive(car, complete_settings(maneuver, car, chosen), options);
+}
+
+double figure(const Outcome& outcome, const std::string& name) {
+    for (const Figure& one : outcome.figures) {
+        if (one.name == name) return one.value;
+    }
+    ADD_FAILURE() << "no figure " << name;
+    return 0;
+}
+
+// A point that brakes with `deceleration` from the settled circle on and turns `sharper` times as fast as the circle asks.
+History made(double radius, double speed, double deceleration, double sharper) {
+    History h;
+    const double rate = 1000;
+    double x = 0, y = 0, yaw = 0;
+    h.wheel_speed.resize(1);
+    for (int i = 0; i <= static_cast<int>((circle_braking::settling + 1.5) * rate); ++i) {
+        const double time = i / rate, braked = std::max(time - circle_braking::settling, 0.0);
+        const double v = speed - deceleration * braked;
+        const double turn = v / radius * (braked > 0 ? sharper : 1.0);
+        h.time.push_back(time), h.x.push_back(x), h.y.push_back(y), h.yaw.push_back(yaw);
+        h.speed.push_back(v), h.lateral_velocity.push_back(0), h.yaw_rate.push_back(turn);
+        h.lateral_acceleration.push_back(v * turn);
+        h.wheel_speed[0].push_back(v / 0.3);
+        x += std::cos(yaw + 0.5 * turn / rate) * v / rate, y += std::sin(yaw + 0.5 * turn / rate) * v / rate;
+        yaw += turn / rate;
+    }
+    return h;
+}
+
+TEST(CircleBraking, APointThatKeepsToItsCircleHasRatiosOfOne) {
+    const auto run = circle_braking::evaluated(made(100, 22, 4, 1));
+    EXPECT_NEAR(run.deceleration, 4, 1e-9);
+    EXPECT_NEAR(run.yaw_rate_ratio, 1, 1e-9);
+    EXPECT_NEAR(run.acceleration_ratio, 1, 1e-9);
+    EXPECT_NEAR(run.deviation, 0, 1e-3);
+    EXPECT_EQ(run.locked, 0);
+}
+
+// Sharper by a share s, a point leaves the circle by s (d/R) d / 2, d the way driven, to the first order.
+TEST(CircleBraking, APointThatTurnsInComesInside) {
+    const auto run = circle_braking::evaluated(made(100, 22, 4, 1.1));
+    const double way = 22 - 2;
+    EXPECT_NEAR(run.yaw_rate_ratio, 1.1, 1e-9);
+    EXPECT_NEAR(run.acceleration_ratio, 1.1, 1e-9);
+    EXPECT_NEAR(run.deviation, 0.1 * way * way / 200, 0.01);
+    EXPECT_LT(circle_braking::evaluated(made(100, 22, 4, 0.9)).deviation, -0.1);
+}
+
+TEST(CircleBraking, SeesALockedWheel) {
+    History h = made(100, 22, 4, 1);
+    for (double& speed : h.wheel_speed[0]) speed = &speed - h.wheel_speed[0].data() > 10500 ? 0 : speed;
+    EXPECT_EQ(circle_braking::evaluated(h).locked, 1);
+}
+
+TEST(BrakingInTurn, TheSteadyCircleIsThatOfTheOperatingPoint) {
+    const VehicleDescription car = test::shipped_car();
+    const Outcome outcome = outcome_of(car, {{"deceleration", 2}});
+    EXPECT_NEAR(figure(outcome, "radius"), 100, 1);
+    EXPECT_NEAR(figure(outcome, "lateral acceleration"), 5, 0.1);
+    VehicleDescription alone = car;
+    alone.power_units.clear(), alone.differentials.clear();
+    const OperatingPoint at = Linearizer(alone).operating_point({.speed = std::sqrt(500.0), .lateral_acceleration = 5});
+    ASSERT_TRUE(at.found) << at.problem;
+    const double angle = Column(car.steering).angle(at.input.rack.displacement) * 180 / std::numbers::pi;
+    EXPECT_NEAR(figure(outcome, "steering wheel angle"), angle, 0.03 * angle);
+}
+
+// Load goes from the rear axle to the front, and the engine brakes the rear wheels besides: the car turns in.
+TEST(BrakingInTurn, TurnsInUntilWheelsLock) {
+    const Outcome outcome = outcome_of(test::shipped_car(), {{"deceleration", 12}, {"step", 2}});
+    EXPECT_FALSE(outcome.failed);
+    EXPECT_GT(figure(outcome, "yaw rate ratio"), 1);
+    EXPECT_GT(figure(outcome, "path deviation"), 0);
+    EXPECT_GT(figure(outcome, "deceleration with locked wheels"), 4);
+    EXPECT_LT(std::abs(outcome.energy.gap()), 1e-3 * outcome.energy.turnover);
+}
+
+TEST(BrakingInTurn, SaysWhatCannotBeDriven) {
+    const Outcome outcome = outcome_of(test::shipped_car(), {{"lateral_acceleration", 12}, {"deceleration", 2}});
+    EXPECT_TRUE(outcome.failed || !outcome.notes.empty());
+    EXPECT_THROW(outcome_of(test::shipped_car(), {{"least_deceleration", 5}, {"deceleration", 3}}), io::Error);
+    EXPECT_THROW(outcome_of(test::shipped_car(), {{"radius", 1}}), io::Error);
+}
+
+}  // namespace
+}  // namespace hamilcar

@@ -1,0 +1,39 @@
+#include "hamilcar/maneuver/common.hpp"
+#include "maneuver/straight_support.hpp"
+
+namespace hamilcar::test {
+namespace {
+
+TEST(CoastDown, FindsTheFilesDragAndRollingResistance) {
+    VehicleDescription car = shipped_car();
+    const Outcome outcome = driven_straight(coast_down(), car);
+    EXPECT_NEAR(figure_named(outcome, "drag area"), 0.38 * 1.85, 0.005 * 0.703);
+    // QSY1 times the unloaded radius at the wheel, so over the loaded one at the ground; toe and camber drag a little too.
+    EXPECT_NEAR(figure_named(outcome, "rolling resistance"), 100 * 0.01 * 0.2948 / 0.28, 0.03);
+    EXPECT_LT(figure_named(outcome, "largest difference of these"), 0.5);
+    EXPECT_LT(std::abs(outcome.energy.gap()), 1e-6 * outcome.energy.turnover);
+
+    car.aerodynamics.drag_area *= 2;
+    const Outcome blunt = driven_straight(coast_down(), car);
+    EXPECT_NEAR(figure_named(blunt, "drag area"), 2 * figure_named(outcome, "drag area"), 0.01);
+    EXPECT_NEAR(figure_named(blunt, "rolling resistance"), figure_named(outcome, "rolling resistance"), 0.02);
+}
+
+// The time from v1 to v0 under F0 + F2 v^2: m_r / sqrt(F0 F2) (atan(v1 sqrt(F2/F0)) - atan(v0 sqrt(F2/F0))).
+TEST(CoastDown, TakesTheTimeOfTheClosedForm) {
+    const Outcome outcome = driven_straight(coast_down(), shipped_car(), {{"from", 100}, {"to", 40}});
+    const double rolling = 0.0105 * 1150 * standard_gravity, air = 0.5 * 1.2 * 0.703, root = std::sqrt(air / rolling);
+    const double mass = 1150 + 4 * 0.85 / (0.288 * 0.288);
+    const double expected = mass / std::sqrt(rolling * air) *
+                            (std::atan(100 * kilometer_per_hour * root) - std::atan(40 * kilometer_per_hour * root));
+    EXPECT_NEAR(figure_named(outcome, "coast-down time"), expected, 0.01 * expected);
+}
+
+TEST(CoastDown, RefusesAndStops) {
+    expect_bad_settings(coast_down(), {{"from", 60}, {"to", 50}});
+    expect_bad_settings(coast_down(), {{"to", 500}});
+    expect_interruptible(coast_down());
+}
+
+}  // namespace
+}  // namespace hamilcar::test

@@ -1,0 +1,51 @@
+// ISO 4138 on a circle: gradients against the exact linearization about such circles, and limits against friction.
+#include "lateral_tests.hpp"
+
+namespace hamilcar {
+namespace {
+
+const Settings small{{"largest_lateral_acceleration", 3}, {"rest", 5}};
+
+TEST(ConstantRadius, HasTheGradientsOfLinearTheory) {
+    const VehicleDescription car = test::shipped_car();
+    const Outcome outcome = test::driven(constant_radius(), car, small);
+    ASSERT_FALSE(outcome.failed) << *outcome.failed;
+    EXPECT_TRUE(outcome.passed());
+    constexpr double crawl = 4, quick = 28;  // where the circle asks for nothing, and where it is wide [m/s]
+    test::expect_share(test::figure(outcome, "understeer gradient"), constant_radius_gradient(car, 100, crawl) / degree,
+                       0.02, "understeer gradient");
+    test::expect_share(test::figure(outcome, "roll gradient"), steady_handling(car, quick).roll_gradient / degree, 0.02,
+                       "roll gradient");
+}
+
+// With every state found by Newton's method instead of driven.
+TEST(ConstantRadius, GoesThroughTheSteadyMotions) {
+    const VehicleDescription car = test::shipped_car();
+    const Outcome outcome = test::driven(constant_radius(), car, small);
+    const Linearizer linearizer(car);
+    const io::Curve& angle = test::curve(outcome, "steering wheel angle");
+    ASSERT_GE(angle.x.size(), 5u);
+    for (const std::size_t i : {1u, 4u}) {
+        const OperatingPoint at = linearizer.operating_point({std::sqrt(100 * angle.x[i]), angle.x[i]});
+        ASSERT_TRUE(at.found) << at.problem;
+        const double wanted = at.input.rack.displacement * 2 * std::numbers::pi / car.steering.rack_per_revolution;
+        test::expect_share(angle.y[i], wanted / degree, 3e-3, "angle");
+    }
+}
+
+TEST(ConstantRadius, EndsWhereTheRoadIsTooSlippery) {
+    const Outcome outcome =
+        test::driven(constant_radius(), test::shipped_car(), {{"largest_lateral_acceleration", 8}}, 0.3);
+    EXPECT_LT(test::figure(outcome, "largest lateral acceleration"), 3.2);
+    EXPECT_GT(test::figure(outcome, "largest lateral acceleration"), 1.8);
+    EXPECT_FALSE(outcome.passed());
+}
+
+TEST(ConstantRadius, MindsItsSettings) {
+    test::expect_settings_checked(constant_radius(), "radius", 1);
+    test::expect_obstacles(constant_radius());
+    test::expect_interruptible(constant_radius(), {});
+}
+
+}  // namespace
+}  // namespace hamilcar

@@ -1,0 +1,74 @@
+#include "hamilcar/maneuver/braking.hpp"
+#include "maneuver/straight_support.hpp"
+
+namespace hamilcar::test {
+namespace {
+
+TEST(StraightBraking, MeanFullyDevelopedDecelerationOfAConstantOneIsItself) {
+    constexpr double deceleration = 7, initial = 30, rate = 100;  // [m/s^2], [m/s], [Hz]
+    std::vector<double> speed, way;
+    for (double t = 0; t <= initial / deceleration; t += 1 / rate) {
+        speed.push_back(initial - deceleration * t), way.push_back(initial * t - deceleration * t * t / 2);
+    }
+    EXPECT_NEAR(braking::mean_fully_developed({speed, rate}, {way, rate}, initial), deceleration, 1e-3);
+}
+
+// The paper's tire has one friction, sliding or not: locked on all wheels the car slows down with a = mu g + k v^2, and stops
+// within log(1 + k v^2 / (mu g)) / (2 k). Over distance the mean of v^2 is that of its ends.
+TEST(StraightBraking, LockedWheelsSlowDownWithTheFriction) {
+    const VehicleDescription car = paper_car();
+    const double drag = 0.5 * 1.2 * 0.703 / 1150;  // k [1/m]
+    for (const double friction : {1.0, 0.4}) {
+        const Outcome outcome = driven_straight(straight_braking(), car, {{"friction", friction}});
+        const double locked = friction * car.gravity;
+        const double v = figure_named(outcome, "initial speed") * kilometer_per_hour;
+        const double developed = locked + drag * v * v * (0.64 + 0.01) / 2;
+        EXPECT_NEAR(figure_named(outcome, "MFDD"), developed, 0.01 * developed);
+        const double way = std::log(1 + drag * v * v / locked) / (2 * drag);
+        EXPECT_NEAR(figure_named(outcome, "stopping distance"), way, 1.5) << "with the pedal's way";
+        EXPECT_LT(std::abs(outcome.energy.gap()), 1e-5 * outcome.energy.turnover);
+    }
+}
+
+TEST(StraightBraking, ALightFootFailsTheRegulation) {
+    const Outcome hard = driven_straight(straight_braking(), shipped_car());
+    const Outcome light = driven_straight(straight_braking(), shipped_car(), {{"pedal", 25}});
+    ASSERT_TRUE(verdict_about(hard, "fully developed") && verdict_about(light, "fully developed"));
+    EXPECT_TRUE(verdict_about(hard, "fully developed")->passed);
+    EXPECT_TRUE(verdict_about(hard, "stopping distance")->passed);
+    EXPECT_FALSE(verdict_about(light, "fully developed")->passed);
+    EXPECT_FALSE(verdict_about(light, "stopping distance")->passed);
+    EXPECT_FALSE(light.passed());
+    // Brakes alone, no wheel locked: their torque over the rolling mass, and 0.3 m/s^2 at the most by air and tires.
+    double torque = 0;
+    for (const CornerDescription& corner : shipped_car().corners) torque += 0.25 * corner.brake.max_torque;
+    const double expected = torque / 0.288 / 1190;  // rolling radius [m], mass with turning wheels [kg]
+    EXPECT_NEAR(figure_named(light, "MFDD"), expected + 0.25, 0.15);
+}
+
+// Rear wheels lock first where their share of the brakes' force is above that of the load, which moves to the front.
+TEST(StraightBraking, TheBalanceOfTheBrakesDecidesWhichAxleLocksFirst) {
+    const auto rear_first = [](const VehicleDescription& car) {
+        const Outcome outcome = driven_straight(straight_braking(), car);
+        const Verdict* verdict = verdict_about(outcome, "slow pedal");
+        EXPECT_TRUE(verdict);
+        return verdict && !verdict->passed;
+    };
+    VehicleDescription car = shipped_car();  // 34 percent at the rear, of which there are 24 of the load at 1 g
+    EXPECT_TRUE(rear_first(car));
+    for (CornerDescription& corner : car.corners) corner.brake.max_torque = corner.wheel.center[0] > -1 ? 2050 : 450;
+    EXPECT_FALSE(rear_first(car));  // 18 percent
+}
+
+TEST(StraightBraking, RefusesAndStops) {
+    VehicleDescription car = shipped_car();
+    EXPECT_TRUE(straight_braking().obstacle(car).empty());
+    for (CornerDescription& corner : car.corners) corner.brake.max_torque = 0;
+    EXPECT_FALSE(straight_braking().obstacle(car).empty());
+    expect_bad_settings(straight_braking(), {{"pedal", 150}});
+    expect_bad_settings(straight_braking(), {{"peddle", 50}});
+    expect_interruptible(straight_braking());
+}
+
+}  // namespace
+}  // namespace hamilcar::test

@@ -1,0 +1,164 @@
+// Gears, driveline and courses of the simulator, before a server that the test plays itself.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import type { Browser, Page } from "playwright-core";
+import type { CarMessage, ClientMessage, CourseResult, Driveline, InputMessage, ServerMessage } from "../src/live/protocol";
+import { openBrowser } from "./browser";
+import { temporaryFolder } from "./program";
+import { FakeServer, shell } from "./shell";
+
+const folder = temporaryFolder();
+let browser: Browser;
+let html: string;
+
+before(async () => {
+  browser = await openBrowser();
+  html = shell(folder.path);
+});
+after(async () => {
+  await browser.close();
+  folder.remove();
+});
+
+const motion = ["x", "y", "z", "qw", "qx", "qy", "qz"].map((end) => `chassis.pose.${end}`);
+const engine = ["speed", "torque", "throttle", "gear", "clutch_torque"].map((end) => `engine.${end}`);
+const names = [...motion, "chassis.longitudinal_velocity", "input.steering_torque", ...engine];
+const driveline: Driveline = {
+  units: [{ name: "engine", idle: 800, most: 6400 }], gears: 5, reverse: true, clutch: true, automatic: false,
+};
+const car: CarMessage = {
+  type: "car", car: 1, vehicle: "a", road: "maneuver:double_lane_change", friction: 1, steering_lock_deg: 500,
+  channels: names.map((name) => ({ name, unit: "1", description: "" })),
+  scene: {
+    vehicle: "a car", units: 1, frames: [{ name: "chassis", unit: 0 }], links: [], wheels: [], tires: [],
+    bodies: [{ unit: 0, low: [-2, -0.8, 0.2], high: [2, 0.8, 1.4] }],
+    road: { name: "level", grade: 0, bank: 0, friction: 1, uneven: false, patches: [], cones: [[5, 2]] },
+  },
+  driveline,
+  course: {
+    id: "double_lane_change", name: "ISO 3888-1", title: "Double lane change", summary: "Through the cones.",
+    cones: [[5, 2], [5, -2]], boundaries: [[5, 2, 20, 2], [5, -2, 20, -2]], line: [[0, 0], [20, 0], [50, 3.5]],
+  },
+};
+const status: ServerMessage = {
+  type: "status", driver: 1, pages: 1, paused: "", ended: "", pace: 1, time: 0, steps: 0, step_ms: 1, period_ms: 1,
+  compute_us: 10, worst_overrun_ms: 0, overruns: 0, recording: "", recorded_s: 0, lost_rows: 0, lost_frames: 0,
+};
+const hello: ServerMessage = {
+  type: "hello", generator: "test", page: 1, vehicles: [{ id: "a", name: "A" }],
+  roads: [{ id: "level", name: "Level" }, { id: "maneuver:double_lane_change", name: "Double lane change" }],
+};
+const result: CourseResult = {
+  type: "result", course: "double_lane_change", finished: true, passed: false, time: 12.345,
+  values: [
+    { name: "entry speed", unit: "km/h", value: 63.21, meaning: "at the first gate" },
+    { name: "peak sideslip", unit: "deg", value: null, meaning: "" },
+  ],
+  verdicts: [
+    { criterion: "no boundary is crossed", passed: true, found: "" },
+    { criterion: "no cone is hit", passed: false, found: "2 cones" },
+  ],
+};
+const still = { "chassis.pose.qw": 1, "engine.speed": 2345, "engine.torque": 100, "engine.gear": 2 };
+
+async function open(of: CarMessage): Promise<{ page: Page; server: FakeServer; complaints: string[] }> {
+  const page = await browser.newPage();
+  const complaints: string[] = [];
+  page.on("pageerror", (error) => complaints.push(error.message));
+  const server = new FakeServer([hello, of, status]);
+  await server.serve(page, html);
+  await page.goto(server.url);
+  await page.waitForFunction(() => document.body.innerText.includes("You drive"), undefined, { timeout: 60000 });
+  server.show(of, 1, still);
+  await page.waitForSelector("html[data-ready=true]", { state: "attached", timeout: 60000 });
+  await page.waitForTimeout(200);
+  return { page, server, complaints };
+}
+
+const isInput = (message: ClientMessage): message is InputMessage => message.type === "input";
+const last = (server: FakeServer): InputMessage | undefined => server.heard.filter(isInput).at(-1);
+async function wants(page: Page, server: FakeServer, key: string, selector: string, gear: number): Promise<void> {
+  await page.keyboard.press(key);
+  await page.waitForTimeout(50);
+  const { selector: found, gear: wanted, reverse } = last(server) ?? {};
+  assert.deepEqual([found, wanted, reverse], [selector, gear, selector === "reverse"], `after ${key}`);
+}
+
+test("keys shift, choose and hold the clutch", async () => {
+  const { page, server, complaints } = await open(car);
+  await wants(page, server, "e", "manual", 3); // from the second gear, which is in
+  await wants(page, server, "e", "manual", 4);
+  await wants(page, server, "q", "manual", 3);
+  await wants(page, server, "g", "neutral", 1);
+  await wants(page, server, "g", "reverse", 1);
+  await wants(page, server, "g", "drive", 1);
+  await wants(page, server, "r", "reverse", 1);
+  await wants(page, server, "e", "neutral", 1);
+  await wants(page, server, "e", "manual", 1);
+  await page.keyboard.down("c");
+  await page.waitForTimeout(50);
+  assert.equal(last(server)?.clutch, 1);
+  await page.keyboard.up("c");
+  await page.waitForTimeout(50);
+  assert.equal(last(server)?.clutch, 0);
+  await wants(page, server, "g", "neutral", 1);
+  server.show(car, 2, { ...still, "chassis.longitudinal_velocity": 8 });
+  await page.waitForTimeout(200);
+  await wants(page, server, "q", "neutral", 1); // no reverse while it rolls ahead
+  await page.getByText("Reverse goes in at a standstill.").waitFor();
+  await page.getByRole("button", { name: /^Selector: neutral/ }).click();
+  assert.equal(last(server)?.selector, "drive");
+  await page.close();
+  assert.deepEqual(complaints, []);
+});
+
+test("instruments show what the car has", async () => {
+  const { page, complaints } = await open(car);
+  const dashboard = page.getByRole("region", { name: "Dashboard" });
+  await dashboard.getByText("2350").waitFor();
+  assert.match(await dashboard.innerText(), /25 kW/); // 100 N m at 2345 rpm
+  assert.match(await dashboard.getByRole("button", { name: /^Selector: drive, gear 2/ }).innerText(), /D2/);
+  assert.ok(await dashboard.getByText("steering torque").isVisible());
+  await page.close();
+
+  const { driveline: _driveline, course: _course, ...simple } = car;
+  const plain = await open({ ...simple, channels: car.channels.filter(({ name }) => /^chassis/.test(name)) });
+  const others = plain.page.getByRole("region", { name: "Dashboard" });
+  for (const text of ["rpm", "steering torque"]) assert.equal(await others.getByText(text).isVisible(), false, text);
+  await plain.page.keyboard.press("r");
+  await plain.page.waitForTimeout(50);
+  const sent = last(plain.server);
+  assert.deepEqual([sent?.reverse, "selector" in (sent ?? {}), "clutch" in (sent ?? {})], [true, false, false]);
+  await plain.page.close();
+  assert.deepEqual([...complaints, ...plain.complaints], []);
+});
+
+test("a course is chosen from the menu, told, and ends with its result", async () => {
+  const { page, server, complaints } = await open(car);
+  assert.match(await page.getByRole("region", { name: "Car and road" }).innerText(), /Double lane change: Through the cones/);
+  await page.keyboard.press("m");
+  const groups = await page.$$eval("select[name=road] optgroup", (all) => all.map((one) => (one as HTMLOptGroupElement).label));
+  assert.deepEqual(groups, ["Roads", "Courses"]);
+  await page.keyboard.press("Escape");
+
+  const card = page.getByRole("region", { name: "Double lane change: not passed" });
+  server.say({ ...result, course: "another" });
+  server.say(result);
+  await card.waitFor();
+  const text = await card.innerText();
+  assert.match(text, /12\.35 s|12\.34 s/);
+  assert.match(text, /not passed\s+no cone is hit: 2 cones/);
+  assert.match(text, /entry speed\s+at the first gate\s+63\.21 km\/h/);
+  assert.match(text, /peak sideslip\s+–/);
+  assert.match((await page.locator("[aria-live=polite]").textContent()) ?? "", /not passed.*no cone is hit: not passed/);
+  await card.getByRole("button", { name: "Again" }).click();
+  assert.ok(server.heard.some(({ type }) => type === "reset"));
+  assert.equal(await card.isVisible(), false);
+
+  server.say({ ...result, passed: true });
+  await page.getByRole("region", { name: "Double lane change: passed" }).waitFor();
+  server.show(car, 0.01, still); // another page has put the car back
+  await page.waitForFunction(() => document.querySelector<HTMLElement>("[aria-labelledby=result-title]")?.hidden);
+  await page.close();
+  assert.deepEqual(complaints, []);
+});
