@@ -98,7 +98,7 @@ void print_outcome(const ManeuverRun& run, const Outcome& outcome, const std::ve
 }
 
 io::ExitCode drive_maneuver(const Maneuver& maneuver, const VehicleDescription& vehicle, const Settings& settings,
-                            const ManeuverOptions& asked, const Options& options, ManeuverRun run) {
+                            const ManeuverOptions& asked, const Options& options, const ManeuverRun& run) {
     check_obstacle(maneuver, vehicle);
     const std::string folder = options.output.empty() ? "out/" + maneuver.name : options.output;
     make_folder(folder);
@@ -152,7 +152,7 @@ io::ExitCode start(const std::string& name, const std::string& vehicle_file, con
     for (const Setting& setting : maneuver.settings(vehicle)) {
         run.settings.emplace_back(setting, settings.at(setting.name));
     }
-    return drive_maneuver(maneuver, vehicle, settings, asked, options, std::move(run));
+    return drive_maneuver(maneuver, vehicle, settings, asked, options, run);
 }
 
 }  // namespace

@@ -204,7 +204,7 @@ Outcome drive_it(const VehicleDescription& described, const Settings& chosen, co
     if (pulls && !drive_elastically(outcome, vehicle, chosen, options, from_rest, fast ? elastic : 1)) return outcome;
     if (fast && !drive_fast(outcome, vehicle, chosen, options, pulls ? elastic : from_rest)) return outcome;
     // The last run counts for film and plots: the start from rest.
-    std::ranges::rotate(outcome.runs, outcome.runs.empty() ? outcome.runs.begin() : outcome.runs.begin() + 1);
+    if (!outcome.runs.empty()) std::rotate(outcome.runs.begin(), outcome.runs.begin() + 1, outcome.runs.end());
     return outcome;
 }
 

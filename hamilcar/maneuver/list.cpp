@@ -39,7 +39,8 @@ Settings complete_settings(const Maneuver& maneuver, const VehicleDescription& v
     Settings out;
     std::vector<std::string_view> names;
     for (const Setting& setting : known) out[setting.name] = setting.usual, names.push_back(setting.name);
-    for (const auto& [name, value] : chosen) {
+    for (const auto& [chosen_name, value] : chosen) {
+        const std::string& name = chosen_name;
         const auto setting = std::ranges::find_if(
             known, [&](const Setting& one) { return one.name == name || setting_key(one) == name; });
         if (setting == known.end()) {

@@ -84,13 +84,12 @@ Trial drive_again_finely(const VehicleDescription& vehicle, const ScenarioDescri
 }
 
 bool add_drive(Outcome& outcome, Trial& trial) {
-    const std::optional<std::string> trouble = trial.trouble;
-    Trial told = std::move(trial);
-    trial.history = std::move(told.history);
-    told.trouble.reset();  // told as what failed, not as a note beside it
+    Trial told;  // what failed is told as that, not as a note beside it; the history stays
+    told.complaints = trial.complaints, told.energy = trial.energy;
+    told.film = std::move(trial.film);
     add_trial(outcome, std::move(told));
-    outcome.failed = trouble;
-    return !trouble;
+    outcome.failed = trial.trouble;
+    return !trial.trouble;
 }
 
 Series series(const History& history, const std::vector<double>& values) {

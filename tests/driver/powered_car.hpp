@@ -25,10 +25,10 @@ struct PoweredCar {
     double lowest_rotor = 1e9, highest_rotor = 0;
 
     double ratio(double gear) const {
+        // An even passage may end a rounding beyond the last gear.
         const auto of = [&](int whole) {
-            return whole == 0  ? 0
-                   : whole < 0 ? -gearbox.reverse_ratio
-                               : gearbox.ratios[static_cast<std::size_t>(whole - 1)];
+            const auto place = std::min(static_cast<std::size_t>(std::max(whole, 1)), gearbox.ratios.size()) - 1;
+            return whole == 0 ? 0 : whole < 0 ? -gearbox.reverse_ratio : gearbox.ratios[place];
         };
         const int below = static_cast<int>(std::floor(gear));
         const double share = gear - below;
