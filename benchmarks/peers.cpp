@@ -99,12 +99,12 @@ nlohmann::json race_of_steps(const VehicleDescription& vehicle) {
 
 // Runs a peer over the scenario; `advance(t)` takes it from t one path interval on.
 template <class Car, class Advance, class Violation>
-nlohmann::json peer_trial(std::string name, double step, const Simulation& start, const Path& reference, Car& car,
+nlohmann::json peer_trial(std::string name, double step, const Simulation& start, const Trace& reference, Car& car,
                           const Advance& advance, const Violation& violation) {
     const auto inputs = oracle::inputs_of(start);
     car.set_inputs(inputs(0));
     car.set_state(oracle::state_of(start));
-    Path path{start.state().position()};
+    Trace path{start.state().position()};
     double open = 0;
     const auto began = std::chrono::steady_clock::now();
     try {
@@ -126,7 +126,7 @@ nlohmann::json peer_trial(std::string name, double step, const Simulation& start
 }
 
 nlohmann::json peers_precision(const VehicleDescription& vehicle, const ScenarioDescription& scenario,
-                               const Path& reference) {
+                               const Trace& reference) {
     const Simulation start(vehicle, scenario);
     nlohmann::json rows;
     for (const double step : {5e-3, 2e-3, 1e-3}) {
@@ -157,7 +157,7 @@ nlohmann::json peers_precision(const VehicleDescription& vehicle, const Scenario
 }
 
 nlohmann::json own_precision(const VehicleDescription& vehicle, const ScenarioDescription& scenario,
-                             const Path& reference) {
+                             const Trace& reference) {
     nlohmann::json rows;
     for (const Trial& trial : usual_trials()) {
         const TrialResult r = run_trial(vehicle, scenario, trial, reference, 3);
@@ -198,7 +198,7 @@ int main(int argc, char** argv) {
     nlohmann::json facts;
     facts["race"] = race_of_steps(vehicle);
     const ScenarioDescription scenario = lane_change();
-    const Path reference = reference_path(vehicle, scenario);
+    const Trace reference = reference_path(vehicle, scenario);
     facts["work_precision"] = own_precision(vehicle, scenario, reference);
     for (auto& row : peers_precision(vehicle, scenario, reference)) facts["work_precision"].push_back(row);
     if (argc > 1 && std::strcmp(argv[1], "--json") == 0) {
