@@ -61,7 +61,8 @@ nlohmann::json tire_notes(const VehicleDescription& vehicle) {
     return notes;
 }
 
-nlohmann::json describe(const Simulation& simulation, const std::string& file) {
+// `recorded`: the vehicle whose channels are told.
+nlohmann::json describe(const Simulation& simulation, const VehicleDescription& recorded, const std::string& file) {
     const Structure counted = structure(simulation.model().vehicle, simulation.vehicle());
     const Sample sample = simulation.sample();
     nlohmann::json spokes = nlohmann::json::array();
@@ -81,7 +82,7 @@ nlohmann::json describe(const Simulation& simulation, const std::string& file) {
                           {"static_load_N", loads(sample, i)}});
     }
     nlohmann::json channels = nlohmann::json::array();
-    for (const Channel& channel : all_channels(simulation.vehicle())) {
+    for (const Channel& channel : all_channels(recorded)) {
         channels.push_back(
             {{"name", channel.column.name}, {"unit", channel.column.unit}, {"meaning", channel.column.description}});
     }
@@ -159,7 +160,9 @@ io::ExitCode check(const Options& options) {
              [&] { return select_channels(all_channels(as_driven(vehicle, scenario)), scenario.output.channels); });
     const Simulation simulation =
         in_files(options.file, scenario.vehicle, [&] { return Simulation(vehicle, scenario); });
-    const nlohmann::json facts = describe(simulation, options.file);
+    // A vehicle by itself stands still; others may run its power units.
+    const VehicleDescription& recorded = io::is_scenario(options.file) ? simulation.vehicle() : vehicle;
+    const nlohmann::json facts = describe(simulation, recorded, options.file);
     const std::string text = options.json ? facts.dump(2) + "\n" : report(facts);
     print_or_write(options.output, text);
     return io::ExitCode::ok;

@@ -56,6 +56,8 @@ std::set<std::string> tire_files(const VehicleDescription& vehicle);
 void make_folder(const std::string& path);
 // Writes a whole small file; throws io::Error(input_output).
 void write_file(const std::string& path, const std::string& text);
+// Where a page may go: a page that takes a result's place would be a run lost. Throws io::Error(usage).
+void check_output(const std::string& path);
 // Shows a file or an address in the person's browser, if there is one.
 void open_in_browser(const std::string& address);
 // To standard output, or where -o says.
@@ -73,7 +75,8 @@ auto in_files(const std::string& scenario, const std::string& vehicle, F&& f) {
     }
 }
 
-// True once Ctrl-C was pressed; `watch_interrupt` starts watching.
+// True once Ctrl-C was pressed; `watch_interrupt` starts watching, and lets a file that grows beyond its limit fail like
+// a full disk.
 void watch_interrupt();
 bool interrupted();
 

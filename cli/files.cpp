@@ -25,6 +25,7 @@ void watch_interrupt() {
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
     sigaction(SIGHUP, &action, nullptr);  // the terminal is closed
+    std::signal(SIGXFSZ, SIG_IGN);        // a file beyond `ulimit -f` is like a full disk: the write says so
 }
 
 bool interrupted() {
@@ -65,6 +66,13 @@ void write_file(const std::string& path, const std::string& text) {
     file.close();
     if (!file)
         throw io::Error(io::ExitCode::input_output, fmt::format("{}: cannot write: {}", path, std::strerror(errno)));
+}
+
+void check_output(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    if (!std::filesystem::exists(path) || extension == ".html" || extension == ".htm") return;
+    throw io::Error(io::ExitCode::usage,
+                    "--output: " + path + " is there and is no page: expected a new file, or .html");
 }
 
 void print_or_write(const std::string& output, const std::string& text) {

@@ -80,7 +80,6 @@ std::optional<live::TestCourse> course_on(const std::string& road, const Vehicle
     return live::TestCourse{.id = maneuver->name,
                             .name = maneuver->standard.empty() ? maneuver->title : maneuver->standard,
                             .title = maneuver->title,
-                            .summary = maneuver->summary,
                             .course = usual_course(*maneuver, vehicle)};
 }
 

@@ -19,6 +19,18 @@ using io::ExitCode;
 
 using Function = io::ExitCode (*)(const cli::Options&);
 
+// CLI11's own range lets a NaN through.
+CLI::Validator range(double least, double most) {
+    const std::string bounds = fmt::format("[{:g} - {:g}]", least, most);
+    return CLI::Validator(
+        [=](std::string& word) {
+            double value = 0;
+            const bool inside = CLI::detail::lexical_cast(word, value) && value >= least && value <= most;
+            return inside ? std::string() : fmt::format("Value {} not in range {}", word, bounds);
+        },
+        "FLOAT in " + bounds, "RANGE");
+}
+
 // The commands with the options of each.
 class Commands {
 public:
@@ -64,11 +76,12 @@ private:
         maneuver->excludes(scenario);
         run.add_option("--vehicle", o_.vehicle, "vehicle file (TOML) [the scenario's; the shipped 323i]");
         run.add_option("--set", o_.settings, "a setting of the maneuver, NAME=NUMBER; may be repeated");
-        run.add_option("--step", o_.step, "of the integration [s], instead of the scenario's")
-            ->check(CLI::Range(1e-6, 0.1));
-        run.add_option("--checkpoint", o_.checkpoint, "file that the run can be resumed from, kept up to date");
+        run.add_option("--step", o_.step, "of the integration [s], instead of the scenario's")->check(range(1e-6, 0.1));
+        auto* checkpoint =
+            run.add_option("--checkpoint", o_.checkpoint, "file that the run can be resumed from, kept up to date");
         run.add_option("--checkpoint-interval", o_.checkpoint_interval, "of simulated time [s]; else at the end")
-            ->check(CLI::PositiveNumber);
+            ->check(range(1e-6, 1e9))
+            ->needs(checkpoint);
         run.add_option("--resume", o_.resume, "go on from such a file");
         auto& list = with_json(add("maneuvers", cli::list_maneuvers, "list the standard maneuvers and their settings"));
         list.add_option("vehicle", o_.file, "vehicle file (TOML) whose usual settings to show [the shipped 323i]");
@@ -94,7 +107,7 @@ private:
         auto& bench =
             with_json(add("bench", cli::bench, "measure how fast this machine steps a car, alone and in batches"));
         bench.add_option("vehicle", o_.file, "another vehicle file than the shipped car's");
-        bench.add_option("--seconds", o_.seconds, "about how long to measure [20]")->check(CLI::Range(0.1, 3600.0));
+        bench.add_option("--seconds", o_.seconds, "about how long to measure [20]")->check(range(0.1, 3600.0));
     }
 
     void add_analyses() {
@@ -107,11 +120,11 @@ private:
         }
         for (auto* command : {&equilibrium, &modes}) {
             command->add_option("--speed", o_.speed, "forward speed [m/s]; at rest if left out")
-                ->check(CLI::Range(0.0, 100.0));
+                ->check(range(0.0, 100.0));
             command->add_option("--lateral-acceleration", o_.lateral_acceleration, "to the left [m/s^2]")
-                ->check(CLI::Range(-30.0, 30.0));
+                ->check(range(-30.0, 30.0));
         }
-        kinematics.add_option("--travel", o_.travel, "of the wheels, each way [80 mm]")->check(CLI::Range(1.0, 1000.0));
+        kinematics.add_option("--travel", o_.travel, "of the wheels, each way [80 mm]")->check(range(1.0, 1000.0));
         for (auto* command : {&kinematics, &modes}) {
             command->add_option("-o,--output", o_.output, "folder for tables and a page");
         }
@@ -129,7 +142,7 @@ private:
         auto& road =
             with_json(add("road", cli::road, "show how rough a scenario's road is, or write it as an OpenCRG file"));
         road.add_option("scenario", o_.file, "scenario file (TOML)")->required();
-        road.add_option("--length", o_.length, "of road, from x = 0 on [400 m]")->check(CLI::Range(10.0, 20000.0));
+        road.add_option("--length", o_.length, "of road, from x = 0 on [400 m]")->check(range(10.0, 20000.0));
         road.add_option("-o,--output", o_.output, "OpenCRG file (.crg) to write");
         auto& schema = add("schema", cli::schema, "print the JSON Schema of vehicle or scenario files, for editors");
         schema.add_option("kind", o_.file, "vehicle or scenario")

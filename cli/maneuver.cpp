@@ -13,6 +13,7 @@
 #include "hamilcar/io/spelling.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/maneuver/outcome_file.hpp"
+#include "outcome_files.hpp"
 #include "page_run.hpp"
 #include "progress.hpp"
 
@@ -59,42 +60,14 @@ Settings typed_settings(const std::vector<std::string>& words) {
         const std::size_t at = word.find('=');
         char* end = nullptr;
         const double value = at == std::string::npos ? 0 : std::strtod(word.c_str() + at + 1, &end);
-        if (at == std::string::npos || end == word.c_str() + at + 1 || *end != '\0') {
+        if (at == std::string::npos || end == word.c_str() + at + 1 || *end != '\0' || !std::isfinite(value)) {
             throw io::Error(io::ExitCode::usage, fmt::format("--set '{}': expected NAME=NUMBER", word));
         }
-        out[word.substr(0, at)] = value;
+        if (!out.emplace(word.substr(0, at), value).second) {
+            throw io::Error(io::ExitCode::usage, fmt::format("--set '{}': expected each setting once", word));
+        }
     }
     return out;
-}
-
-void write_film(const std::string& path, const io::PageRun& run) {
-    std::vector<io::Column> columns(run.columns.begin() + 1, run.columns.end());
-    const auto file = io::open_netcdf(path, columns, run.name, {{io::scene_attribute, run.scene}});
-    std::vector<double> row(columns.size());
-    for (std::size_t i = 0; i < run.values[0].size(); ++i) {
-        for (std::size_t k = 0; k < row.size(); ++k) row[k] = run.values[k + 1][i];
-        file->write(run.values[0][i], row);
-    }
-    file->close();
-    if (!run.tiles.empty()) io::write_tiles(io::tiles_beside(path), run.tiles);
-}
-
-void print_outcome(const ManeuverRun& run, const Outcome& outcome, const std::vector<std::string>& files) {
-    fmt::print("{} ({}) with {}\n", run.title, run.standard, run.vehicle);
-    std::size_t width = 0;
-    for (const Figure& f : outcome.figures) width = std::max(width, f.name.size());
-    for (const Figure& f : outcome.figures) {
-        const std::string value = std::isfinite(f.value) ? fmt::format("{:.5g}", f.value) : "not shown";
-        fmt::print("  {:<{}}  {} {}\n", f.name, width, value, f.unit);
-    }
-    for (const Verdict& v : outcome.verdicts) {
-        fmt::print("  {}: {}{}\n", v.passed ? "passed" : "NOT PASSED", v.criterion,
-                   v.found.empty() ? "" : " (" + v.found + ")");
-    }
-    for (const std::string& note : outcome.notes) fmt::print("  note: {}\n", note);
-    const double gap = outcome.energy.turnover > 0 ? std::abs(outcome.energy.gap()) / outcome.energy.turnover : 0;
-    fmt::print("  energy: the books close to {:.2g} of what was turned over\n", gap);
-    for (const std::string& file : files) fmt::print("  wrote {}\n", file);
 }
 
 io::ExitCode drive_maneuver(const Maneuver& maneuver, const VehicleDescription& vehicle, const Settings& settings,
@@ -104,26 +77,16 @@ io::ExitCode drive_maneuver(const Maneuver& maneuver, const VehicleDescription& 
     make_folder(folder);
     Progress progress(maneuver.name);
     ManeuverOptions driven = asked;
-    driven.keep_going = [&](double share) { return progress.show(share), !interrupted(); };
-    const Outcome outcome = maneuver.drive(vehicle, settings, driven);
+    bool stopped = false;
+    driven.keep_going = [&](double share) {
+        stopped = stopped || interrupted();
+        return progress.show(share), !stopped;
+    };
+    Outcome outcome = maneuver.drive(vehicle, settings, driven);
     progress.clear();
-    std::vector<std::string> files{folder + "/outcome.json"};
-    auto facts = outcome_json(run, outcome);
-    for (std::size_t i = 0; i < outcome.runs.size(); ++i) {
-        files.push_back(fmt::format("{}/drive{}.nc", folder, i == 0 ? "" : fmt::format("_{}", i + 1)));
-        write_film(files.back(), outcome.runs[i]);
-    }
-    files.push_back(folder + "/report.html");
-    facts["files"] = files;
-    write_file(files.front(), facts.dump(1) + "\n");
-    io::write_page(files.back(), outcome_page(run, outcome));
-    if (options.json) {
-        facts.erase("charts");
-        fmt::print("{}\n", facts.dump(2));
-    } else {
-        print_outcome(run, outcome, files);
-    }
-    if (interrupted()) return io::ExitCode::interrupted;
+    if (stopped) outcome.notes.emplace_back("interrupted: this is of a part of the maneuver");
+    tell_and_write(run, outcome, stopped, folder, options);
+    if (stopped) return io::ExitCode::interrupted;
     if (outcome.failed) {
         fmt::print(stderr, "hamilcar: {}: {}\n", maneuver.name, *outcome.failed);
         return io::ExitCode::numerical;
@@ -229,6 +192,8 @@ io::ExitCode compare(const Options& options) {
                         "compare: expected two outcomes or more, folders that 'hamilcar run --maneuver' "
                         "wrote; 'hamilcar view' shows one");
     }
+    const std::string page = options.output.empty() ? "comparison.html" : options.output;
+    check_output(page);
     std::vector<std::pair<ManeuverRun, Outcome>> runs;
     for (const std::string& given : options.files) {
         const fs::path path = fs::is_directory(given) ? fs::path(given) / "outcome.json" : fs::path(given);
@@ -239,11 +204,17 @@ io::ExitCode compare(const Options& options) {
                                 "('hamilcar view' compares results of scenarios)");
         }
         auto run = read_outcome(path.string());
+        if (says_interrupted(path.string())) {
+            fmt::print(stderr, "hamilcar: note: {} is of a maneuver that was interrupted\n", path.string());
+        }
+        if (!runs.empty() && run.first.maneuver != runs[0].first.maneuver) {
+            fmt::print(stderr, "hamilcar: note: different maneuvers: {} has {}, {} has {}\n", options.files[0],
+                       runs[0].first.maneuver, given, run.first.maneuver);
+        }
         const fs::path film = path.parent_path() / "drive.nc";
         if (fs::exists(film)) run.second.runs.push_back(read_run(film.string(), options.rows));
         runs.push_back(std::move(run));
     }
-    const std::string page = options.output.empty() ? "comparison.html" : options.output;
     io::write_page(page, comparison_page(std::move(runs)));
     fmt::print("{}\n", page);
     if (options.open) open_in_browser(fs::absolute(page).string());

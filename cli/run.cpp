@@ -5,16 +5,16 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "hamilcar/io/result_file.hpp"
 #include "hamilcar/io/tir_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
-#include "hamilcar/run/checkpoint.hpp"
 #include "hamilcar/run/film.hpp"
 #include "hamilcar/run/record.hpp"
 #include "hamilcar/run/scenario_checks.hpp"
 #include "hamilcar/run/scene.hpp"
 #include "maneuver.hpp"
 #include "progress.hpp"
+#include "resume.hpp"
+#include "run_files.hpp"
 #include "summary.hpp"
 
 namespace hamilcar::cli {
@@ -24,86 +24,12 @@ namespace {
 // An energy balance off by more than this share of the largest kinetic energy is no simulation of the car any more.
 constexpr double doubtful_share = 0.01;
 
-// What a run records: the channels that were chosen, then those that a picture of the vehicle needs besides.
-struct Recorded {
-    std::vector<Channel> channels;
-    std::size_t chosen;
-    std::string scene;  // empty where no picture is wanted
-};
-
-Recorded choose_channels(const VehicleDescription& vehicle, const ScenarioDescription& scenario) {
-    const std::vector<Channel> all = all_channels(vehicle);
-    Recorded recorded{select_channels(all, scenario.output.channels), 0, {}};
-    recorded.chosen = recorded.channels.size();
-    if (!scenario.output.motion) return recorded;
-    recorded.scene = scene_json(vehicle, scenario);
-    add_missing_motion(all, recorded.channels);
-    return recorded;
-}
-
-// The files that rows go to while the run lasts. Tables for people have the chosen channels only.
-class Files {
-public:
-    Files(const std::string& folder, const ScenarioDescription& scenario, const Recorded& recorded)
-        : chosen_(recorded.chosen) {
-        std::vector<io::Column> columns;
-        for (const Channel& channel : recorded.channels) columns.push_back(channel.column);
-        if (scenario.output.netcdf) {
-            paths_.push_back(folder + "/results.nc");
-            std::error_code nothing_there;
-            std::filesystem::remove(io::tiles_beside(paths_.back()), nothing_there);  // of the run that was here before
-            std::vector<std::pair<std::string, std::string>> attributes;
-            if (!recorded.scene.empty()) attributes.emplace_back(io::scene_attribute, recorded.scene);
-            netcdf_ = io::open_netcdf(paths_.back(), columns, scenario.name, attributes);
-        }
-        if (scenario.output.csv) {
-            paths_.push_back(folder + "/results.csv");
-            columns.resize(chosen_);
-            csv_ = io::open_csv(paths_.back(), columns);
-        }
-    }
-
-    void write(double time, std::span<const double> row) {
-        if (netcdf_) netcdf_->write(time, row);
-        if (csv_) csv_->write(time, row.first(chosen_));
-        constexpr long rows_per_flush = 100;  // what a crash may cost
-        if (++rows_ % rows_per_flush != 0) return;
-        if (netcdf_) netcdf_->flush();
-        if (csv_) csv_->flush();
-    }
-    void close() {
-        if (netcdf_) netcdf_->close();
-        if (csv_) csv_->close();
-    }
-    // Tiles stand beside the netCDF file, whose picture needs them.
-    void announce_road() {
-        if (netcdf_) add(io::tiles_beside(paths_.front()));
-    }
-    void write_road(const std::vector<RoadTile>& tiles) const {
-        if (netcdf_ && !tiles.empty()) io::write_tiles(io::tiles_beside(paths_.front()), tiles);
-    }
-    void add(const std::string& path) { paths_.push_back(path); }
-    const std::vector<std::string>& paths() const { return paths_; }
-
-private:
-    std::size_t chosen_;
-    std::unique_ptr<io::ResultWriter> netcdf_, csv_;
-    std::vector<std::string> paths_;
-    long rows_ = 0;
-};
-
 void write_report(const std::string& path, io::PageRun run, const Simulation& simulation, const nlohmann::json& facts) {
     io::Page page{.title = simulation.scenario().name, .subtitle = simulation.vehicle().name, .blocks = {}, .runs = {}};
     page.blocks = {io::Replay{}, io::Heading{"Summary"}, summary_table(facts)};
     page.runs.push_back(std::move(run));
     io::write_page(path, page);
 }
-
-// Where the vehicle has been, for the road that its picture needs.
-struct PathOnGround {
-    std::vector<double> x, y;
-    void add(const Sample& sample) { x.push_back(sample.state.position()[0]), y.push_back(sample.state.position()[1]); }
-};
 
 io::ExitCode tell(const Options& options, const RunSummary& summary, const nlohmann::json& facts,
                   const std::vector<std::string>& complaints) {
@@ -132,53 +58,6 @@ io::ExitCode tell(const Options& options, const RunSummary& summary, const nlohm
     return io::ExitCode::ok;
 }
 
-// The rows of the first part of a run that is gone on with, from the results that it left in the folder.
-struct FirstPart {
-    Progressed progressed;
-    io::ResultFile rows;
-    std::size_t count = 0;
-};
-
-FirstPart first_part(const Options& options, const std::string& folder, const ScenarioDescription& scenario,
-                     const Recorded& recorded, Simulation& simulation) {
-    FirstPart part;
-    if (options.resume.empty()) return part;
-    part.progressed = read_checkpoint(options.resume, simulation);
-    const long every = steps_per_row(simulation, scenario.output.interval);
-    part.count = static_cast<std::size_t>((simulation.steps_taken() + every - 1) / every);
-    const std::string results = folder + "/results.nc";
-    const auto refuse = [&](const std::string& why) {
-        throw io::Error(io::ExitCode::bad_file,
-                        fmt::format("{}: {}; --resume goes on with the results of the run that wrote the checkpoint, "
-                                    "expected them in the folder of --output",
-                                    results, why));
-    };
-    if (!std::filesystem::exists(results)) refuse("is not there");
-    part.rows = io::read_result(results);
-    if (part.rows.columns.size() != recorded.channels.size() + 1) refuse("has other channels");
-    if (part.rows.values[0].size() < part.count) refuse("ends before the checkpoint");
-    return part;
-}
-
-// Keeps a checkpoint up to date.
-class Keeper {
-public:
-    Keeper(const Options& options, const Simulation& simulation)
-        : path_(options.checkpoint), interval_(options.checkpoint_interval), next_(simulation.time() + interval_) {}
-    void look(const Simulation& simulation, const RunSummary& summary, const PathOnGround& path) {
-        if (path_.empty() || interval_ <= 0 || simulation.time() < next_) return;
-        next_ += interval_;
-        write(simulation, summary, path);
-    }
-    void write(const Simulation& simulation, const RunSummary& summary, const PathOnGround& path) const {
-        if (!path_.empty()) write_checkpoint(path_, simulation, {summary, path.x, path.y});
-    }
-
-private:
-    std::string path_;
-    double interval_, next_;
-};
-
 std::string output_folder(const Options& options) {
     return options.output.empty() ? "out/" + std::filesystem::path(options.file).stem().string() : options.output;
 }
@@ -190,40 +69,49 @@ void tell_remarks(const VehicleDescription& vehicle) {
     }
 }
 
-// From where the simulation stands to the end of the scenario.
-io::ExitCode run_scenario(const Options& options, const ScenarioDescription& scenario, const Recorded& recorded,
-                          Simulation& simulation) {
-    const std::string folder = output_folder(options);
-    make_folder(folder);
-    const FirstPart before = first_part(options, folder, scenario, recorded, simulation);
-    Files files(folder, scenario, recorded);
-    Film film(scenario.name, recorded.scene, recorded.channels);
-    PathOnGround path{before.progressed.x, before.progressed.y};
+// The rows of the first part once more, then those from where the simulation stands to the end of the scenario.
+RunSummary record_run(const Options& options, const FirstPart& before, const Recorded& recorded, Simulation& simulation,
+                      RunFiles& files, Film& film, PathOnGround& path, Keeper& keeper) {
+    const OutputDescription& output = simulation.scenario().output;
     const auto keep = [&](double time, std::span<const double> row) {
         files.write(time, row);
-        if (scenario.output.report) film.add(time, row);
+        if (output.report) film.add(time, row);
     };
     std::vector<double> row(recorded.channels.size());
     for (std::size_t i = 0; i < before.count; ++i) {
         for (std::size_t k = 0; k < row.size(); ++k) row[k] = before.rows.values[k + 1][i];
         keep(before.rows.values[0][i], row);
     }
-    Keeper keeper(options, simulation);
+    files.take_place();
     Progress progress(std::filesystem::path(options.file).stem().string());
     const RunSummary summary = record(
-        simulation, recorded.channels, scenario.output.interval,
+        simulation, recorded.channels, output.interval,
         [&](const Sample& sample, const std::vector<double>& values) {
             keep(sample.time, values);
-            if (scenario.output.motion) path.add(sample);
+            if (output.motion) path.add(sample);
         },
         [&](double share, const RunSummary& so_far) {
-            keeper.look(simulation, so_far, path);
+            keeper.look(simulation, so_far, path, files);
             return progress.show(share), !interrupted();
         },
         before.progressed.summary);
-    progress.clear();
     files.close();
-    keeper.write(simulation, summary, path);
+    return summary;
+}
+
+io::ExitCode run_scenario(const Options& options, const ScenarioDescription& scenario, const Recorded& recorded,
+                          Simulation& simulation) {
+    const std::string folder = output_folder(options);
+    make_folder(folder);
+    const bool may_resume = !options.checkpoint.empty() || !options.resume.empty();
+    const Origin origin = may_resume ? origin_of(options.file, scenario.vehicle) : Origin{};
+    const FirstPart before = first_part(options, folder, scenario, recorded, simulation, origin);
+    Keeper keeper(options, simulation, before.progressed, origin);
+    RunFiles files(folder, scenario, recorded,
+                   options.resume.empty() ? RunFiles::Place::taken : RunFiles::Place::beside);
+    Film film(scenario.name, recorded.scene, recorded.channels);
+    PathOnGround path{before.progressed.x, before.progressed.y};
+    const RunSummary summary = record_run(options, before, recorded, simulation, files, film, path, keeper);
     tell_remarks(simulation.vehicle());
     const bool uneven = scenario.output.motion && scenario.road.is_uneven();
     const std::string report = folder + "/report.html";
@@ -231,6 +119,7 @@ io::ExitCode run_scenario(const Options& options, const ScenarioDescription& sce
     if (scenario.output.report) files.add(report);
     const nlohmann::json facts = summary_json(simulation, summary, files.paths());
     write_file(folder + "/summary.json", facts.dump(2) + "\n");
+    const bool kept = keeper.finish(simulation, summary, path);
     const io::ExitCode outcome = tell(options, summary, facts, simulation.complaints());
 
     // Pictures last: if the disk takes no more of them, all that matters has been said and written.
@@ -242,7 +131,7 @@ io::ExitCode run_scenario(const Options& options, const ScenarioDescription& sce
         film_of_run.tiles = tiles;
         write_report(report, std::move(film_of_run), simulation, facts);
     }
-    return outcome;
+    return kept ? outcome : io::ExitCode::input_output;
 }
 
 }  // namespace
@@ -258,6 +147,7 @@ io::ExitCode run(const Options& options) {
     if (!options.settings.empty()) {
         throw io::Error(io::ExitCode::usage, "run: --set belongs to a maneuver; " + options.file + " asks for none");
     }
+    check_can_resume(options, scenario);
     if (options.step > 0) scenario.solver.step = options.step;
     const VehicleDescription vehicle = in_files(
         options.file, scenario.vehicle, [&] { return as_driven(io::read_vehicle(scenario.vehicle), scenario); });

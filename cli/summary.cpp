@@ -25,6 +25,7 @@ nlohmann::json summary_json(const Simulation& simulation, const RunSummary& summ
         }
     }
     const SolverDescription& solver = simulation.scenario().solver;
+    const std::optional<std::string> ended_by = simulation.ending();
     nlohmann::json facts = {
         {"scenario", simulation.scenario().name},
         {"vehicle", simulation.vehicle().name},
@@ -46,6 +47,8 @@ nlohmann::json summary_json(const Simulation& simulation, const RunSummary& summ
         {"end_state", state},
         {"files", files},
         {"ended_early", summary.ended_early ? nlohmann::json(*summary.ended_early) : nlohmann::json(nullptr)},
+        {"ended_by", ended_by ? nlohmann::json(*ended_by) : nlohmann::json(nullptr)},
+        {"complaints", simulation.complaints()},
         {"interrupted", summary.interrupted},
     };
     return facts;
@@ -67,6 +70,8 @@ io::Table summary_table(const nlohmann::json& facts) {
     add("largest kinetic energy", energy["largest_kinetic_J"], "J"), add("work", energy["work_J"], "J");
     add("largest error of the energy balance", energy["worst_balance_error_J"], "J");
     if (!facts["ended_early"].is_null()) add("ended early", facts["ended_early"], "");
+    if (!facts["ended_by"].is_null()) add("ended by", facts["ended_by"], "");
+    for (const auto& complaint : facts["complaints"]) add("could not be done", complaint, "");
     for (const auto& [name, entry] : facts["end_state"].items()) {
         add(("at the end: " + name).c_str(), entry["value"], entry["unit"].get<std::string>().c_str());
     }
@@ -80,6 +85,9 @@ void print_summary(const nlohmann::json& facts) {
                facts["scenario"].get<std::string>(), facts["vehicle"].get<std::string>(),
                facts["simulated_s"].get<double>(), facts["steps"].get<long>(), facts["step_s"].get<double>(),
                facts["integrator"].get<std::string>(), facts["constraints"].get<std::string>());
+    if (!facts["ended_by"].is_null()) {
+        fmt::print("  ended by         {}\n", facts["ended_by"].get<std::string>());
+    }
     fmt::print("  end state        x {:.3f}, y {:.3f}, z {:.4f} m; speed {:.3f}, {:.3f}, {:.3f} m/s\n",
                value("chassis.position.x"), value("chassis.position.y"), value("chassis.position.z"),
                value("chassis.velocity.x"), value("chassis.velocity.y"), value("chassis.velocity.z"));

@@ -30,14 +30,6 @@ void name_apart(std::vector<io::PageRun>& runs) {
     }
 }
 
-// A page that takes a result's place would be a run lost.
-void check_output(const std::string& path) {
-    const std::string extension = fs::path(path).extension().string();
-    if (!fs::exists(path) || extension == ".html" || extension == ".htm") return;
-    throw io::Error(io::ExitCode::usage,
-                    "--output: " + path + " is there and is no page: expected a new file, or .html");
-}
-
 struct Extremes {
     double least, most;
 };

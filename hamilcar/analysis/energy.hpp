@@ -120,4 +120,7 @@ Energy<T> energy(const Model<T>& model, const State<T>& state, const Velocity<T>
     return e;
 }
 
+extern template Energy<double> energy<double>(const Model<double>&, const State<double>&, const Velocity<double>&,
+                                              const Momenta<double>&);
+
 }  // namespace hamilcar

@@ -20,15 +20,8 @@ Spatial<double> weight_of(const SpatialInertia<double>& body, const Hub& hub) {
     return spatial<double>(hub.gravity * body.mass, body.moment.cross(hub.gravity));
 }
 
-// Of a tire on the carrier with its wheel, as wheel_momenta.hpp has it.
-Spatial<double> wrench_of(const TireForces<double>& f, const Tire<double>& tire, const Vec3<double>& axis) {
-    const double rolling_radius = dispatch(tire, [](const auto& t) { return t.rolling_radius; });
-    const ContactFrame<double>& at = f.frame;
-    const TireForce<double>& F = f.tire;
-    Spatial<double> wrench = force_at<double>(at.point, F.Fx * at.longitudinal + F.Fy * at.lateral + F.Fz * at.normal);
-    angular(wrench) +=
-        (F.rolling_moment - (rolling_radius - at.lever) * F.Fx) * axis + F.Mx * at.longitudinal + F.Mz * at.normal;
-    return wrench;
+Spatial<double> wrench_of(const TireForces<double>& f, const Tire<double>& any_tire, const Vec3<double>& axis) {
+    return dispatch(any_tire, [&](const auto& tire) { return carrier_wrench(tire, f, axis); });
 }
 
 State<double> rate_at(const Model<double>& model, const State<double>& state, const Velocity<double>& velocity,

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "hamilcar/math/fourier.hpp"
 #include "hamilcar/scalar/sincos.hpp"
 
 namespace hamilcar {
@@ -14,29 +15,6 @@ namespace hamilcar {
 namespace {
 
 using Complex = std::complex<double>;
-
-std::vector<double> hann(std::size_t size) {
-    std::vector<double> window(size);
-    for (std::size_t i = 0; i < size; ++i) {
-        const double s = sincos(std::numbers::pi * static_cast<double>(i) / static_cast<double>(size)).sine;
-        window[i] = s * s;
-    }
-    return window;
-}
-
-// Sums of value times exp(+i ...) over a segment, less its straight line of least squares and under a window.
-std::vector<Complex> transformed(std::span<const double> segment, const std::vector<double>& window) {
-    const auto size = static_cast<double>(segment.size());
-    const auto from_middle = [&](std::size_t i) { return static_cast<double>(i) - (size - 1) / 2; };
-    double mean = 0, slope = 0;
-    for (std::size_t i = 0; i < segment.size(); ++i) mean += segment[i] / size, slope += segment[i] * from_middle(i);
-    slope *= 12 / (size * (size * size - 1));
-    std::vector<Complex> values(segment.size());
-    for (std::size_t i = 0; i < segment.size(); ++i)
-        values[i] = window[i] * (segment[i] - mean - slope * from_middle(i));
-    fourier_transform(values);
-    return values;
-}
 
 }  // namespace
 
@@ -52,7 +30,7 @@ FrequencyResponse frequency_response(const std::vector<double>& input, const std
     const std::size_t lines = segment / 2 + 1;
     std::vector<double> power_in(lines), power_out(lines);
     std::vector<Complex> cross(lines);
-    const std::vector<double> window = hann(segment);
+    const std::vector<double> window = hann_window(segment);
     for (std::size_t from = 0; from + segment <= input.size(); from += segment / 4) {
         const std::vector<Complex> x = transformed(std::span(input).subspan(from, segment), window),
                                    y = transformed(std::span(output).subspan(from, segment), window);

@@ -17,7 +17,7 @@ namespace {
 void hold_on_slope(const Model<double>& model, const Input<double>& input, const Velocity<double>& velocity,
                    const Momenta<double>& momenta, State<double>& state) {
     const std::vector<RoadWheel> wheels = road_wheels(model, momenta, state);
-    const auto braking_torque = [&](const RoadWheel& wheel) { return input.brake * wheel.brake->max_torque; };
+    const auto braking_torque = [&](const RoadWheel& wheel) { return wheel.brake->limit(input.brake); };
     double total_load = 0, braked_load = 0;
     for (const RoadWheel& wheel : wheels) {
         for (const RoadTire& tire : wheel.tires) {

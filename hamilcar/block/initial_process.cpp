@@ -162,8 +162,8 @@ Spatial<double> set_composed_velocities(const Model<double>& model, const Veloci
         const TrailerVelocity<double>& at = velocity.composed.trailers[i];
         const Spatial<double> h = carried_over<double>(at.pose, total[i + 1]);
         const int n = trailer.freedoms();
-        double* momenta = state.values.data() + trailer.offset + n;
-        for (int j = 0; j < n; ++j) momenta[j] = at.hitch.motion.J[static_cast<std::size_t>(n)].col(j).dot(h);
+        double* conjugate = state.values.data() + trailer.offset + n;
+        for (int j = 0; j < n; ++j) conjugate[j] = at.hitch.motion.J[static_cast<std::size_t>(n)].col(j).dot(h);
         total[static_cast<std::size_t>(trailer.tow)] += h;
     }
     return total[0];

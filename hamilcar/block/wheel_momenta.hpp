@@ -42,6 +42,17 @@ struct GroundOfWheel {
     std::array<int, 2> numbers;
 };
 
+// What a tire's forces do to the carrier with its wheel.
+template <class T, class Kind>
+HAMILCAR_CORE Spatial<T> carrier_wrench(const Kind& tire, const TireForces<T>& f, const Vec3<T>& axis) {
+    const ContactFrame<T>& at = f.frame;
+    const TireForce<T>& F = f.tire;
+    Spatial<T> wrench = force_at<T>(at.point, F.Fx * at.longitudinal + F.Fy * at.lateral + F.Fz * at.normal);
+    angular(wrench) += (F.rolling_moment - (tire.rolling_radius - at.lever) * F.Fx) * axis;
+    if constexpr (Kind::has_moments) angular(wrench) += F.Mx * at.longitudinal + F.Mz * at.normal;
+    return wrench;
+}
+
 // A tire that stands at `center` and turns with `omega` about the axis, its carrier moving with `motion` and its contact
 // deflected by u, v. Returns the wrench on the carrier with its wheel; adds to the torque about the axis.
 template <class T>
@@ -69,15 +80,12 @@ HAMILCAR_CORE Spatial<T> tire_wrench(const Tire<T>& any_tire, const GroundOfWhee
         out.rise = road.rise;
         out.moment_power = T(0);
         spin_torque = F.rolling_moment - tire.rolling_radius * F.Fx;
-        Spatial<T> wrench = force_at<T>(f.point, F.Fx * f.longitudinal + F.Fy * f.lateral + F.Fz * f.normal);
-        angular(wrench) += (F.rolling_moment - (tire.rolling_radius - f.lever) * F.Fx) * axis;
         if constexpr (std::decay_t<decltype(tire)>::has_moments) {
             const Vec3<T> moment = F.Mx * f.longitudinal + F.Mz * f.normal;
-            angular(wrench) += moment;
             spin_torque += f.camber * F.Mz;
             out.moment_power = moment.dot(angular(motion)) + f.camber * F.Mz * (omega - turning);
         }
-        return wrench;
+        return carrier_wrench(tire, out, axis);
     });
 }
 

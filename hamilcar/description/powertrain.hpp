@@ -90,10 +90,11 @@ struct DifferentialDescription {
     };
     std::array<Output, 2> outputs;
     double preload = 0;          // locking torque without load [N m]
-    double locking_drive = 0;    // locking torque as a share of the outgoing torque, driving [1]
-    double locking_coast = 0;    // and braking [1]
+    double locking_drive = 0;    // locking torque as a share of the outgoing torque that drives ahead [1]
+    double locking_coast = 0;    // and of one that brakes or drives back [1]
     double viscosity = 0;        // locking torque over speed difference [N m s/rad]
     double shaft_stiffness = 0;  // of each shaft to an output [N m/rad]
+    double damping_ratio = 0.1;  // of the torsion between the outputs [1]
 };
 
 }  // namespace hamilcar

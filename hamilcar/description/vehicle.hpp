@@ -81,10 +81,13 @@ struct StopDescription {
     double progression = 0;  // [N/m^2]
 };
 
+// A proportioning valve lets the torque grow by a smaller share from some pedal command on.
 struct BrakeDescription {
-    double max_torque = 0;        // at full command [N m]
+    double max_torque = 0;        // at full command, without a valve [N m]
     double windup_stiffness = 0;  // of caliper and mounting, seen by a locked wheel [N m/rad]
     double windup_damping = 0;    // [N m s/rad]
+    double valve_command = 1;     // from which on the valve acts; 1: no valve [1]
+    double valve_slope = 1;       // share of the growth that it lets through [1]
 };
 
 // One wheel with everything that carries it: a spoke of the hub-and-spoke model.

@@ -1,4 +1,4 @@
-// A wheel's brake: the grip of its disc on a carrier that gives way a little.
+// A wheel's brake: the grip of its disc on a carrier that gives way a little, behind a valve that may hold pressure back.
 #pragma once
 
 #include <tuple>
@@ -11,9 +11,11 @@ namespace hamilcar {
 template <class T>
 struct Brake {
     T max_torque, stiffness, damping;
-    T compliance;  // 1 / stiffness; zero where there is no brake
+    T compliance;                // 1 / stiffness; zero where there is no brake
+    T valve_command, held_back;  // share of the growth beyond this command that the valve keeps from the brake
     static constexpr auto members() {
-        return std::tuple(&Brake::max_torque, &Brake::stiffness, &Brake::damping, &Brake::compliance);
+        return std::tuple(&Brake::max_torque, &Brake::stiffness, &Brake::damping, &Brake::compliance,
+                          &Brake::valve_command, &Brake::held_back);
     }
 
     Brake() = default;
@@ -21,11 +23,18 @@ struct Brake {
         : max_torque(d.max_torque),
           stiffness(d.windup_stiffness),
           damping(d.windup_damping),
-          compliance(d.windup_stiffness > 0 ? 1 / d.windup_stiffness : 0) {}
+          compliance(d.windup_stiffness > 0 ? 1 / d.windup_stiffness : 0),
+          valve_command(d.valve_command),
+          held_back(1 - d.valve_slope) {}
+
+    // What the brake can hold [N m].
+    HAMILCAR_CORE T limit(const T& command) const {
+        return (command - held_back * max(T(command - valve_command), T(0))) * max_torque;
+    }
 
     // Torque on the wheel about its axis, turning with `spin` against the carrier.
     HAMILCAR_CORE typename Grip<T>::Output evaluate(const T& command, const T& spin, const T& windup) const {
-        return Grip<T>::evaluate(command * max_torque, spin, windup, stiffness, damping, compliance);
+        return Grip<T>::evaluate(limit(command), spin, windup, stiffness, damping, compliance);
     }
 };
 

@@ -31,11 +31,12 @@ struct Differential {
     };
     HAMILCAR_CORE Output evaluate(const T& torque, const T& a, const T& b, const T& windup) const {
         const T out = ratio * torque;
-        const T driving = out * (share * a + (T(1) - share) * b);
-        const T limit = preload + abs(out) * select(driving >= T(0), locking_drive, locking_coast);
         const T slip = a - b;
+        // Ramps and worms feel the torque's sign, a fluid the slip; all of it behind the shafts' torsion, so that no viscosity
+        // is too much for a step.
+        const T limit = preload + abs(out) * select(out >= T(0), locking_drive, locking_coast) + viscosity * abs(slip);
         const auto grip = Grip<T>::evaluate(limit, slip, windup, stiffness, damping, compliance);
-        const T lock = viscosity * slip - grip.torque;
+        const T lock = -grip.torque;
         return {share * out - lock, (T(1) - share) * out + lock, lock, grip.windup_rate, lock * slip};
     }
 };

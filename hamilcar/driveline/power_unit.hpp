@@ -60,24 +60,27 @@ struct Converter {
 // What depends on the gear. Gear numbers count from reverse (-1) on: place 0 is reverse, 1 neutral, 2 first.
 template <class T>
 struct Gears {
+    static constexpr double loss_rate = 100;  // at which friction may stop what hangs on the gearbox [1/s]
     std::vector<T> ratio, stiffness, damping;
+    std::vector<T> viscosity;  // of the friction where the input hardly turns [N m s/rad]
     std::vector<T> connected;  // 1; 0 in neutral, and where there is no such gear
     static constexpr auto members() {
-        return std::tuple(&Gears::ratio, &Gears::stiffness, &Gears::damping, &Gears::connected);
+        return std::tuple(&Gears::ratio, &Gears::stiffness, &Gears::damping, &Gears::viscosity, &Gears::connected);
     }
 
     struct Engaged {
         T ratio, stiffness, damping;
-        T connected;
+        T viscosity, connected;
     };
     HAMILCAR_CORE Engaged at(const T& gear) const {
         const T place = clamp(T(gear + T(1)), T(0), T(static_cast<double>(ratio.size() - 1)));
-        Engaged out{ratio[0], stiffness[0], damping[0], connected[0]};
+        Engaged out{ratio[0], stiffness[0], damping[0], viscosity[0], connected[0]};
         for (std::size_t i = 0; i + 1 < ratio.size(); ++i) {
             const T passed = clamp(T(place - T(static_cast<double>(i))), T(0), T(1));
             out.ratio += (ratio[i + 1] - ratio[i]) * passed;
             out.stiffness += (stiffness[i + 1] - stiffness[i]) * passed;
             out.damping += (damping[i + 1] - damping[i]) * passed;
+            out.viscosity += (viscosity[i + 1] - viscosity[i]) * passed;
             out.connected += (connected[i + 1] - connected[i]) * passed;
         }
         return out;
@@ -86,7 +89,6 @@ struct Gears {
 
 template <class T>
 struct PowerUnit {
-    static constexpr double loss_speed = 1;  // of the gearbox's input, below which its friction fades [rad/s]
     Source<T> source;
     T inertia, inverse_inertia;  // [kg m^2]
     Vec3<T> axis;                // e, chassis axes
@@ -132,9 +134,9 @@ struct PowerUnit {
         o.oil_torque_rate = T(Converter<T>::oil_rate) * (fluid.pump * engaged.connected - oil_torque);
         o.rotor = o.source - o.clutch - o.pump;
         const T in = o.clutch + o.turbine;
-        // In the direction of the power, without a jump where the shaft stands.
-        const T turning = clamp(T(o.shaft_speed * T(1 / loss_speed)), T(-1), T(1));
-        const T friction = loss_share * abs(in) * turning;
+        // Against the turning; where the shaft all but stands no steeper than a step can follow.
+        const T most = loss_share * abs(in);
+        const T friction = clamp(T(engaged.viscosity * o.shaft_speed), T(-most), most);
         o.out = engaged.ratio * (in - friction);
         o.loss =
             o.clutch * (spin - o.shaft_speed) + o.pump * spin - o.turbine * o.shaft_speed + friction * o.shaft_speed;

@@ -5,8 +5,9 @@
 namespace hamilcar {
 
 struct Arms {
-    double lock;          // of the steering wheel, each way [rad]
-    double largest_rate;  // each way [rad/s]
+    double lock;                                // of the steering wheel, each way [rad]
+    double largest_rate;                        // each way [rad/s]
+    double hardest = quickness * largest_rate;  // acceleration, each way [rad/s^2]
 
     static constexpr double quickness = 30;  // natural frequency [1/s]
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hamilcar/driver/schedule.hpp"
 #include "hamilcar/driver/words.hpp"
@@ -15,7 +16,8 @@ constexpr double on_throttle = 20, on_brake = 8, on_clutch = 20, of_force = 60;
 constexpr double there = 1e-12;       // close enough to be there, of what goes up to about one
 constexpr double path_tolerance = 1;  // beside the path before there is a complaint [m]
 
-// Leads a control evenly to where it is wanted, as fast as may be; at the first decision it is there already.
+// Leads a control evenly to where it is wanted, as fast as may be; at the first decision it is there already. Times are
+// rounded: it ends that much short, so that no pedal comes past its stop.
 struct Hand {
     Schedule& schedule;
     double time, interval;
@@ -23,8 +25,10 @@ struct Hand {
 
     void lead(Control control, double wanted, double fastest) const {
         const double now = schedule.signal(control).at(time).value, most = fastest * interval;
-        if (first || std::abs(wanted - now) < there) return put(control, wanted);
-        schedule.follow(control, time, {now, std::clamp(wanted - now, -most, most) / interval, 0}, interval);
+        const double rounding = std::numeric_limits<double>::epsilon() * (4 + 2 * std::abs(time) / interval);
+        if (first || std::abs(wanted - now) <= std::max(there, rounding)) return put(control, wanted);
+        const double change = (1 - rounding) * std::clamp(wanted - now, -most, most);
+        schedule.follow(control, time, {now, change / interval, 0}, interval);
     }
     void put(Control control, double value) const { schedule.follow(control, time, {value, 0, 0}, interval); }
 };

@@ -36,6 +36,7 @@ static_assert(std::is_trivially_copyable_v<DriverMemory>);
 class Driver {
 public:
     Driver() = default;  // does nothing
+    // The description's interval must be the one at which he is asked: he leads his controls from one decision to the next.
     // Throws std::invalid_argument for what cannot be driven: a path through one point, a gear that does not exist.
     Driver(const DriverDescription& description, const DrivenCar& car, const Column& column);
 

@@ -8,13 +8,19 @@
 #include <string>
 
 #include "hamilcar/driver/spline.hpp"
+#include "hamilcar/driver/words.hpp"
 #include "hamilcar/scalar/elementary.hpp"
 
 namespace hamilcar {
 
 namespace {
 
-constexpr double least_distance = 1e-6;            // between neighboring points [m]
+constexpr double least_distance = 1e-6;  // between neighboring points [m]
+constexpr double farthest = 1e6;         // from the origin, along either axis [m]
+constexpr double longest_path = 1e7;     // [m]
+constexpr double most_looks = 1e6;       // along a whole path
+constexpr double reversing = -0.996;     // cosine between neighboring chords: within 5 degrees of straight back [1]
+constexpr double least_square = 1e-12;   // of the spline's speed, that is divided by [1]
 constexpr double look_ahead = 10, look_every = 1;  // for a nearer stretch than the remembered one [m]
 constexpr double longest_stride = 2;               // of the descent in distance [m]
 constexpr double straightness = 0.25;              // least second derivative of the descent, of a straight line's [1]
@@ -26,6 +32,25 @@ constexpr std::array<double, 5> node{0.046910077030668004, 0.23076534494715845, 
 constexpr std::array<double, 5> weight{0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
                                        0.23931433524968324, 0.11846344252809454};
 
+using Points = std::vector<std::array<double, 2>>;
+
+// From a point to the next one, around a closed path [m].
+std::array<double, 2> chord(const Points& points, std::size_t i) {
+    const auto [x, y] = points[i % points.size()];
+    const auto [next_x, next_y] = points[(i + 1) % points.size()];
+    return {next_x - x, next_y - y};
+}
+
+void check_place(const std::array<double, 2>& point, std::size_t number) {
+    for (const double coordinate : point) {
+        if (std::abs(coordinate) <= farthest) continue;
+        const std::string start = "point " + std::to_string(number) + " of the path ";
+        if (std::isnan(coordinate)) throw std::invalid_argument(start + "is not a number");
+        throw std::invalid_argument(start + "lies at " + spoken(coordinate) + " m; expected within " +
+                                    spoken(farthest) + " m of the origin");
+    }
+}
+
 void check(const PathDescription& description) {
     const auto& points = description.points;
     const std::size_t least = description.closed ? 3 : 2;
@@ -34,19 +59,22 @@ void check(const PathDescription& description) {
                                     (description.closed ? " to be closed" : "") + ", found " +
                                     std::to_string(points.size()));
     }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (std::isfinite(points[i][0]) && std::isfinite(points[i][1])) continue;
-        throw std::invalid_argument("point " + std::to_string(i + 1) + " of the path is not a number");
+    for (std::size_t i = 0; i < points.size(); ++i) check_place(points[i], i + 1);
+    const std::size_t n = points.size();
+    for (std::size_t i = 0; i + (description.closed ? 0 : 1) < n; ++i) {
+        const auto [x, y] = chord(points, i);
+        if (std::abs(x) + std::abs(y) >= least_distance) continue;
+        throw std::invalid_argument("points " + std::to_string(i + 1) + " and " + std::to_string((i + 1) % n + 1) +
+                                    " of the path lie in one place" +
+                                    (i + 1 == n ? "; a closed path returns to its first point by itself" : ""));
     }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto [x, y] = points[i];
-        if (i + 1 == points.size() && !description.closed) break;
-        const auto [next_x, next_y] = points[(i + 1) % points.size()];
-        if (std::abs(next_x - x) + std::abs(next_y - y) >= least_distance) continue;
-        throw std::invalid_argument(
-            "points " + std::to_string(i + 1) + " and " + std::to_string((i + 1) % points.size() + 1) +
-            " of the path lie in one place" +
-            (i + 1 == points.size() ? "; a closed path returns to its first point by itself" : ""));
+    // At a point where it went straight back the spline would stand still and have no direction.
+    for (std::size_t i = 0; i + (description.closed ? 0 : 2) < n; ++i) {
+        const auto [x, y] = chord(points, i);
+        const auto [next_x, next_y] = chord(points, i + 1);
+        const double lengths = std::sqrt((x * x + y * y) * (next_x * next_x + next_y * next_y));
+        if (x * next_x + y * next_y > reversing * lengths) continue;
+        throw std::invalid_argument("the path turns back on itself at point " + std::to_string((i + 1) % n + 1));
     }
 }
 
@@ -76,6 +104,9 @@ Path::Path(const PathDescription& description) : closed_(description.closed) {
                               spline::cubic(y[i], y[next], bend_y[i], bend_y[next], chord[i]), chord[i]});
         station_.push_back(station_.back() + arc(stretches_.back(), chord[i]));
     }
+    if (length() <= longest_path) return;
+    throw std::invalid_argument("the path is " + spoken(length()) + " m long; expected " + spoken(longest_path) +
+                                " m at most");
 }
 
 Path::Local Path::local(const Stretch& stretch, double u) {
@@ -144,7 +175,7 @@ Path::Parameter Path::parameter(double station) const {
 
 PathPoint Path::at(double station) const {
     const Local here = local(parameter(station));
-    const double square = here.dx * here.dx + here.dy * here.dy, speed = std::sqrt(square);
+    const double square = std::max(here.dx * here.dx + here.dy * here.dy, least_square), speed = std::sqrt(square);
     return {here.x, here.y, here.dx / speed, here.dy / speed,
             (here.dx * here.ddy - here.dy * here.ddx) / (square * speed)};
 }
@@ -170,7 +201,8 @@ Path::Parameter Path::moved(Parameter at, double by) const {
 PathPlace Path::descend(double x, double y, Parameter at) const {
     Local here = local(at);
     for (int i = 0; i < max_strides; ++i) {
-        const double to_x = here.x - x, to_y = here.y - y, square = here.dx * here.dx + here.dy * here.dy;
+        const double to_x = here.x - x, to_y = here.y - y;
+        const double square = std::max(here.dx * here.dx + here.dy * here.dy, least_square);
         const double slope = to_x * here.dx + to_y * here.dy;
         const double bend = std::max(square + to_x * here.ddx + to_y * here.ddy, straightness * square);
         const double change = std::clamp(-slope / bend, -longest_stride, longest_stride);
@@ -178,7 +210,7 @@ PathPlace Path::descend(double x, double y, Parameter at) const {
         here = local(at);
         if (std::abs(change) < 1e-11) break;
     }
-    const double speed = std::sqrt(here.dx * here.dx + here.dy * here.dy);
+    const double speed = std::sqrt(std::max(here.dx * here.dx + here.dy * here.dy, least_square));
     return {station(at), (here.dx * (y - here.y) - here.dy * (x - here.x)) / speed};
 }
 
@@ -197,8 +229,9 @@ PathPlace Path::nearest_of_all(double x, double y, double yaw) const {
     const auto [sine, cosine] = sincos(yaw);
     Parameter best{0, 0, 0};
     double least = std::numeric_limits<double>::infinity();
+    const double stride = std::max(look_every, length() / most_looks);
     for (const bool any_direction : {false, true}) {
-        for (Parameter at{0, 0, 0}; at.lap == 0 && !is_beyond(at); at = moved(at, look_every)) {
+        for (Parameter at{0, 0, 0}; at.lap == 0 && !is_beyond(at); at = moved(at, stride)) {
             const Local here = local(at);
             const double square = (here.x - x) * (here.x - x) + (here.y - y) * (here.y - y);
             const bool along = here.dx * cosine + here.dy * sine > 0;

@@ -30,7 +30,8 @@ struct PathPlace {
 class Path {
 public:
     Path() = default;
-    // Throws std::invalid_argument on too few points, points in one place and numbers that are none.
+    // Throws std::invalid_argument on too few points, points in one place or where nobody drives, a path that turns back on
+    // itself, and numbers that are none.
     explicit Path(const PathDescription& description);
 
     bool closed() const { return closed_; }

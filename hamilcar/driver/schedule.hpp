@@ -15,6 +15,23 @@ namespace hamilcar {
 enum class Control { rack, drive_torque, brake, throttle, clutch, gear, wind_x, wind_y };
 inline constexpr std::size_t control_count = 8;
 
+// All inputs at a time [s], of what each control does then: `at` gives its SignalValue<T>.
+template <class T, class At>
+HAMILCAR_CORE Input<T> input_of(double time, bool powered, bool windy, const At& at) {
+    const SignalValue<T> rack = at(Control::rack);
+    Input<T> input{.rack = {rack.value, rack.rate, rack.acceleration},
+                   .drive_torque = at(Control::drive_torque).value,
+                   .brake = at(Control::brake).value,
+                   .time = time};
+    if (powered) {
+        input.throttle = at(Control::throttle).value;
+        input.clutch = at(Control::clutch).value;
+        input.gear = at(Control::gear).value;
+    }
+    if (windy) input.wind_x = at(Control::wind_x).value, input.wind_y = at(Control::wind_y).value;
+    return input;
+}
+
 class Schedule {
 public:
     // Steering wheel angles become rack displacements by the vehicle's steering column.
@@ -22,19 +39,7 @@ public:
 
     // All inputs at a time [s].
     HAMILCAR_CORE Input<double> operator()(double time) const {
-        const SignalValue<double> rack = signal(Control::rack).at(time);
-        const auto value = [&](Control control) { return signal(control).at(time).value; };
-        Input<double> input{.rack = {rack.value, rack.rate, rack.acceleration},
-                            .drive_torque = value(Control::drive_torque),
-                            .brake = value(Control::brake),
-                            .time = time};
-        if (powered_) {
-            input.throttle = value(Control::throttle);
-            input.clutch = value(Control::clutch);
-            input.gear = value(Control::gear);
-        }
-        if (windy_) input.wind_x = value(Control::wind_x), input.wind_y = value(Control::wind_y);
-        return input;
+        return input_of<double>(time, powered_, windy_, [&](Control control) { return signal(control).at(time); });
     }
 
     // From `time` on a control goes as value, rate and acceleration say, until it is told otherwise. Without allocation;

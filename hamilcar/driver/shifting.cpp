@@ -49,7 +49,7 @@ void check(int gear, const DrivenCar& car, const std::string& what) {
 Shifting::Shifting(const ShiftingDescription& description, const DrivenCar& car)
     : car_(car),
       fixed_(description.gear.has_value()),
-      ramps_(car.gearbox.automatic || !car.has_clutch),
+      ramps_(!car.has_clutch),
       first_(description.gear.value_or(description.first_gear)) {
     check(first_, car, fixed_ ? "gear" : "first gear");
     if (!fixed_ && car.gears > 0 && first_ < 1) {

@@ -3,8 +3,10 @@
 //
 //     a = clamp(v_w' + k_p (v_w - v), largest acceleration) + k_i integral(v_w - v) + resistance / m
 //
-// The integral stands still while a pedal is at its stop, the acceleration at its bound, or a shift interrupts the force. Between
-// the least that the power units push and the first touch of the brake lies a dead band, so that the feet do not fight.
+// The integral stands still while a pedal is at its stop, the acceleration at its bound, or a shift interrupts the force and
+// the foot is not on the brake. Between the least that the power units push and the first touch of the brake lies a dead band,
+// so that the feet do not fight. Who is to stand and nearly does, or rolls backward, holds the brake, and presses it harder as
+// long as the car moves.
 #pragma once
 
 #include <optional>
@@ -20,11 +22,13 @@ namespace hamilcar {
 struct SpeedMemory {
     double integral = 0;             // [m/s^2]
     bool braking = false;            // the foot is on the brake
+    double hold = 0;                 // that keeps the car where it is; 0: it is driven [1]
+    double interrupted = 0;          // for how long no force was to be had [s]
     double straining = 0;            // for how long all that there is has not sufficed [s]
     double watched_from = 0;         // speed at the start of the present two seconds of it [m/s]
     double watched = 0;              // how much of them is over [s]
     bool out_of_reach = false;       // it did not help: the speed hardly rose
-    double wanted = 0, reached = 0;  // when that was found, or now [m/s]
+    double wanted = 0, reached = 0;  // what is missed, and the highest speed meanwhile [m/s]
 };
 
 class SpeedControl {
@@ -47,7 +51,9 @@ private:
         double least, most;
     };
     Reach reach(const Senses& senses) const;
-    Pedals press(const Senses& senses, double force, SpeedMemory& memory) const;
+    Pedals press(const Reach& reach, double force, SpeedMemory& memory) const;
+    // Whether the car is to stay where it is; the brake's command is then in the memory.
+    bool hold(double speed, double wanted, double pressed, double interval, SpeedMemory& memory) const;
     static void watch(double speed, double wanted, bool strained, double interval, SpeedMemory& memory);
 
     Signal speed_;

@@ -48,19 +48,8 @@ private:
     };
 
     Input<T> evaluate(double time) const {
-        const auto value = [&](Control control) { return pieces_[static_cast<std::size_t>(control)].at(time).value; };
-        const SignalValue<T> rack = pieces_[static_cast<std::size_t>(Control::rack)].at(time);
-        Input<T> input{.rack = {rack.value, rack.rate, rack.acceleration},
-                       .drive_torque = value(Control::drive_torque),
-                       .brake = value(Control::brake),
-                       .time = time};
-        if (powered_) {
-            input.throttle = value(Control::throttle);
-            input.clutch = value(Control::clutch);
-            input.gear = value(Control::gear);
-        }
-        if (windy_) input.wind_x = value(Control::wind_x), input.wind_y = value(Control::wind_y);
-        return input;
+        return input_of<T>(time, powered_, windy_,
+                           [&](Control control) { return pieces_[static_cast<std::size_t>(control)].at(time); });
     }
 
     void fetch(double time) {

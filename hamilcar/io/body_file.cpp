@@ -49,4 +49,11 @@ BodyDescription read_body(const TableReader& table, const WheelDescription& whee
     return body;
 }
 
+bool has_room_for(const BodyDescription& body, const std::vector<std::pair<double, Point>>& rotors) {
+    Mat3<double> rest = inertia_matrix(body);
+    for (const auto& [inertia, axis] : rotors) rest -= inertia * vec3(axis) * vec3(axis).transpose();
+    const Vec3<double> moments = principal_moments(rest);
+    return moments[0] > 0 && moments[2] <= (moments[0] + moments[1]) * (1 + rounding);
+}
+
 }  // namespace hamilcar::io

@@ -2,6 +2,7 @@
 // file is cut back to its last whole row, so what can be read of it is right.
 #include <cassert>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <utility>
 
@@ -78,6 +79,12 @@ public:
         if (file_ < 0) return;
         flush();
         if (::close(std::exchange(file_, -1)) != 0) fail(path_, "close");
+    }
+
+    void move_to(const std::string& path) override {
+        flush();
+        if (std::rename(path_.c_str(), path.c_str()) != 0) fail(path, "put the file in its place");
+        path_ = path;
     }
 
 private:

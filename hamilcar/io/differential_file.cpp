@@ -42,6 +42,7 @@ DifferentialDescription read_differential(const TableReader& table) {
     out.share = table.number("torque_share", fraction, out.share);
     read_lock(table, out);
     out.shaft_stiffness = table.number("shaft_stiffness_N_m_per_rad", positive);
+    out.damping_ratio = table.number("damping_ratio", not_negative, out.damping_ratio);
     return out;
 }
 

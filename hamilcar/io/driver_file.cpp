@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include "hamilcar/description/powertrain.hpp"
 #include "hamilcar/driver/path.hpp"
+#include "hamilcar/io/column_file.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/road_file.hpp"
 
@@ -31,18 +30,14 @@ bool read_number(std::string_view word, double& value) {
     return error == std::errc() && end == word.data() + word.size() && std::isfinite(value);
 }
 
-bool read_point(std::string_view line, std::array<double, 2>& point) {
-    const std::size_t comma = line.find(',');
-    return comma != std::string_view::npos && read_number(line.substr(0, comma), point[0]) &&
-           read_number(line.substr(comma + 1), point[1]);
-}
+// What a line says; headings have no number at all.
+enum class Line { point, headings, neither };
 
-std::vector<std::array<double, 2>> read_points_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file) throw Error(ExitCode::input_output, path + ": cannot read");
-    return parse_path_points(text.str(), path);
+Line read_line(std::string_view line, std::array<double, 2>& point) {
+    const std::size_t comma = std::min(line.find(','), line.size());
+    const bool x = read_number(line.substr(0, comma), point[0]);
+    const bool y = comma < line.size() && read_number(line.substr(comma + 1), point[1]);
+    return x && y ? Line::point : x || y ? Line::neither : Line::headings;
 }
 
 std::vector<std::array<double, 2>> read_points(const TableReader& table) {
@@ -59,7 +54,7 @@ std::vector<std::array<double, 2>> read_points(const TableReader& table) {
         }
         default: {
             const std::string path = table.path_to_file("file");
-            if (!table.is_recording()) points = read_points_file(path);
+            if (!table.is_recording()) points = parse_path_points(read_named_file(table, "file"), path);
         }
     }
     return points;
@@ -137,9 +132,10 @@ std::vector<std::array<double, 2>> parse_path_points(std::string_view text, cons
         begin = end + 1;
         if (line.find_first_not_of(" \t\r") == std::string_view::npos || line.front() == '#') continue;
         std::array<double, 2> point{};
-        if (read_point(line, point)) {
+        const Line says = read_line(line, point);
+        if (says == Line::point) {
             points.push_back(point);
-        } else if (points.empty() && !headings) {
+        } else if (says == Line::headings && points.empty() && !headings) {
             headings = true;
         } else {
             throw Error(ExitCode::bad_file, path + ":" + std::to_string(number) + ": expected a point as x,y [m]");

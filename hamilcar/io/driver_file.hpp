@@ -13,8 +13,8 @@ namespace hamilcar::io {
 
 DriverDescription read_driver(const TableReader& table);
 
-// Points of a path from text: a line "x,y" for each [m]; empty lines, lines that start with '#' and one line of headings do not
-// count. `path` is for messages.
+// Points of a path from text: a line "x,y" for each [m]; empty lines, lines that start with '#' and one line of headings, with
+// no number in it, do not count. `path` is for messages.
 std::vector<std::array<double, 2>> parse_path_points(std::string_view text, const std::string& path);
 
 }  // namespace hamilcar::io

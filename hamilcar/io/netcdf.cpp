@@ -74,6 +74,17 @@ public:
         check(nc_close(std::exchange(file_, closed)), "close");
     }
 
+    // The library works on an open file, whatever its name.
+    void move_to(const std::string& path) override {
+        flush();
+        std::error_code error;
+        std::filesystem::rename(path_, path, error);
+        if (error) {
+            throw Error(ExitCode::input_output, path + ": cannot put the file in its place: " + error.message());
+        }
+        path_ = path;
+    }
+
 private:
     void define(const std::vector<Column>& columns, const Attributes& attributes) {
         for (const auto& [name, text] : attributes) set_text(NC_GLOBAL, name, text);

@@ -160,7 +160,8 @@ void write_page(const std::string& path, const Page& page) {
         const auto empty = [](const Curve& curve) {
             return std::ranges::none_of(curve.y, [](double y) { return std::isfinite(y); });
         };
-        if (chart && std::ranges::all_of(chart->curves, empty)) continue;
+        const bool is_map = chart && !(chart->marks.empty() && chart->lines.empty());
+        if (chart && !is_map && std::ranges::all_of(chart->curves, empty)) continue;
         blocks.push_back(std::visit(BlockJson{numbers}, block));
     }
     for (const PageRun& run : page.runs) runs.push_back(run_json(run, numbers));

@@ -2,8 +2,12 @@
 #include "hamilcar/io/powertrain_file.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
+#include <utility>
 
+#include "hamilcar/driveline/source.hpp"
+#include "hamilcar/io/body_file.hpp"
 #include "hamilcar/io/differential_file.hpp"
 #include "hamilcar/io/name.hpp"
 #include "hamilcar/io/number_text.hpp"
@@ -40,8 +44,40 @@ void read_part_loads(const TableReader& engine, EngineDescription& to) {
                   std::to_string(max_curve_points - 2) + " part loads at most");
 }
 
+// Between two points ratio and torque ratio are linear, their product, turbine power over pump power, a parabola.
+double greatest_efficiency(const Samples& torque_ratio) {
+    double greatest = 0;
+    const auto look = [&](double nu, double ratio) { greatest = std::max(greatest, nu * ratio); };
+    for (std::size_t i = 0; i < torque_ratio.argument.size(); ++i) {
+        const double x = torque_ratio.argument[i], y = torque_ratio.value[i];
+        look(x, y);
+        if (i + 1 == torque_ratio.argument.size()) break;
+        const double next = torque_ratio.argument[i + 1], slope = (torque_ratio.value[i + 1] - y) / (next - x);
+        const double top = slope < 0 ? 0.5 * (x - y / slope) : next;
+        if (top > x && top < next) look(top, y + slope * (top - x));
+    }
+    return greatest;
+}
+
+// The starter brings it to where it fires, against its drag.
+void check_starting(const TableReader& table, const EngineDescription& engine) {
+    using Engine = CombustionEngine<double>;
+    const Curve<double> drag(engine.torque.front().speed, engine.torque.front().torque);
+    const double starter = Engine::starter_share * engine.torque.back().torque.front();
+    const double fires = Engine::firing * engine.idle_speed;
+    double most = -drag.at(fires);
+    for (std::size_t i = 0; i < engine.torque.front().speed.size(); ++i) {
+        if (engine.torque.front().speed[i] < fires) most = std::max(most, -engine.torque.front().torque[i]);
+    }
+    table.expect(
+        most < starter, "overrun_N_m",
+        "numbers above " + number_text(-starter) +
+            " up to half of 'idle_rpm', where it fires: the starter has 0.3 times the first of 'full_load_N_m'");
+}
+
 EngineDescription read_engine(const TableReader& table) {
-    const Samples overrun = table.samples("speed_rpm", "overrun_N_m", any_number);
+    constexpr Range not_positive{"number not above zero", -std::numeric_limits<double>::infinity(), 0};
+    const Samples overrun = table.samples("speed_rpm", "overrun_N_m", not_positive);
     const Samples full = table.samples("speed_rpm", "full_load_N_m", any_number);
     expect_points(table, "speed_rpm", full.argument.size());
     table.expect(full.argument[0] >= 0, "speed_rpm", "speeds not below zero");
@@ -49,6 +85,7 @@ EngineDescription read_engine(const TableReader& table) {
         table.expect(full.value[i] >= overrun.value[i], "full_load_N_m", "no torque below that of 'overrun_N_m'");
     }
     table.expect(full.value[0] > 0, "full_load_N_m", "a first torque above zero: the engine has to start");
+    table.expect(full.value.back() <= 0, "full_load_N_m", "a last torque of 0 or below: there the engine is limited");
     EngineDescription engine;
     engine.idle_speed = table.number("idle_rpm", positive);
     table.expect(engine.idle_speed < full.argument.back(), "idle_rpm", "a number below the last of 'speed_rpm'");
@@ -57,6 +94,7 @@ EngineDescription read_engine(const TableReader& table) {
     read_part_loads(table, engine);
     engine.throttle.push_back(1);
     engine.torque.push_back({full.argument, full.value});
+    if (!table.is_recording()) check_starting(table, engine);
     return engine;
 }
 
@@ -78,6 +116,11 @@ ConverterDescription read_converter(const TableReader& table) {
                                    .lockup_capacity = table.number("lockup_capacity_N_m", not_negative, 0)};
     table.expect(converter.capacity.size() == curve.argument.size(), pump_key,
                  std::to_string(curve.argument.size()) + " numbers, one for each of 'speed_ratio'");
+    table.expect(greatest_efficiency(curve) <= 1 + 1e-9, "torque_ratio",
+                 "numbers that times their speed ratio, there and between, are 1 at most: no converter makes power");
+    table.expect(curve.argument.back() == 1, "speed_ratio", "a last number of 1, where pump and turbine turn alike");
+    table.expect(converter.capacity.empty() || converter.capacity.back() == 0, pump_key,
+                 "a last number of 0: what turns alike passes no torque");
     for (double& capacity : converter.capacity) capacity /= (2000 * rpm) * (2000 * rpm);
     return converter;
 }
@@ -129,6 +172,23 @@ GearboxDescription read_gearbox(const std::optional<TableReader>& table) {
     return gearbox;
 }
 
+// What shifts up at a speed has to come there.
+void check_limit(const TableReader& table, const PowerUnitDescription& unit) {
+    const double fastest = std::visit(
+        [](const auto& source) {
+            if constexpr (requires { source.torque; }) {
+                return source.torque.back().speed.back();
+            } else {
+                return source.max_speed;
+            }
+        },
+        unit.source);
+    const auto gearbox = table.optional_table("gearbox");
+    if (!gearbox || table.is_recording()) return;
+    gearbox->expect(unit.gearbox.upshift_speed < fastest, "upshift_rpm",
+                    "a number below the speed at which the torque ends, " + number_text(fastest / rpm));
+}
+
 // Of the differentials, the one that the unit drives.
 std::size_t read_output(const TableReader& unit, const VehicleDescription& vehicle) {
     const std::string name = unit.text("output");
@@ -147,7 +207,10 @@ PowerUnitDescription read_power_unit(const TableReader& table, const VehicleDesc
     unit.name = table.text("name");
     unit.inertia = table.number("inertia_kg_m2", positive);
     unit.axis = table.direction("axis", unit.axis);
+    constexpr double soonest = 0.005;  // that explicit steps can follow [s]
     unit.response_time = table.number("response_time_s", not_negative, 0);
+    table.expect(unit.response_time == 0 || unit.response_time >= soonest, "response_time_s",
+                 "0, at once, or a number not below 0.005");
     unit.stiffness = table.number("stiffness_N_m_per_rad", positive);
     unit.damping_ratio = table.number("damping_ratio", not_negative, 0.1);
     unit.output = read_output(table, vehicle);
@@ -158,6 +221,7 @@ PowerUnitDescription read_power_unit(const TableReader& table, const VehicleDesc
     }
     unit.coupling = read_coupling(table);
     unit.gearbox = read_gearbox(table.optional_table("gearbox"));
+    check_limit(table, unit);
     const auto* clutch = std::get_if<ClutchDescription>(&unit.coupling);
     const bool stalls = std::holds_alternative<EngineDescription>(unit.source) && clutch && clutch->capacity == 0;
     table.expect(!stalls, "engine", "a [power_unit.clutch] that slips or a [power_unit.converter] beside it");
@@ -204,7 +268,16 @@ void read_powertrain(const TableReader& file, VehicleDescription& vehicle) {
         file.expect(vehicle.power_units.size() <= std::size_t{max_power_units}, "power_unit",
                     std::to_string(max_power_units) + " power units at most");
     }
-    if (!file.is_recording()) check_inputs(differentials, vehicle);
+    if (file.is_recording()) return;
+    check_inputs(differentials, vehicle);
+    std::vector<std::pair<double, Point>> rotors;
+    for (const PowerUnitDescription& unit : vehicle.power_units) rotors.emplace_back(unit.inertia, unit.axis);
+    if (!has_units) return;
+    file.tables("power_unit")
+        .back()
+        .expect(has_room_for(vehicle.chassis, rotors), "inertia_kg_m2",
+                "a rotor that leaves the chassis, whose inertia contains it, an inertia "
+                "that a body can have");
 }
 
 }  // namespace hamilcar::io

@@ -23,6 +23,8 @@ public:
     virtual void write(double time, std::span<const double> values) = 0;
     virtual void flush() = 0;
     virtual void close() = 0;  // flush, and report what a destructor could not
+    // Flushes, then takes another name in this folder, in the place of what has it; rows go on.
+    virtual void move_to(const std::string& path) = 0;
 };
 
 // `title` and further attributes become global attributes (netCDF) or nothing (CSV: the first row is `name [unit]` headings).

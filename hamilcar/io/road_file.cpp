@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "hamilcar/io/column_file.hpp"
 #include "hamilcar/io/crg_file.hpp"
 #include "hamilcar/io/grid_file.hpp"
 #include "hamilcar/io/word.hpp"
@@ -86,6 +87,14 @@ PostsDescription read_posts(const TableReader& table) {
 SignalDescription read_signal(const TableReader& table, std::string_view key, const Range& range) {
     const auto interpolation = word<Interpolation>(table, "interpolation", {"smooth", Interpolation::smooth},
                                                    {"linear", Interpolation::linear});
+    if (table.chosen({{key}, {"file"}}) == 1) {
+        const std::string path = table.path_to_file("file"), column = table.text("column");
+        const std::string time = table.has("time_column") ? table.text("time_column") : "time";
+        if (table.is_recording()) return {};
+        const Samples samples =
+            parse_columns(read_named_file(table, "file"), path, {time, column, "time_s", key, range});
+        return {samples.argument, samples.value, interpolation};
+    }
     if (!table.has_list(key) && !table.has("time_s")) return {{0}, {table.number(key, range)}, interpolation};
     const Samples samples = table.samples("time_s", key, range);
     return {samples.argument, samples.value, interpolation};

@@ -114,6 +114,45 @@ OutputDescription read_output(const TableReader& table) {
             .report = table.boolean("report", true)};
 }
 
+constexpr double most_steps = 1e9;  // that can be counted, and waited for
+
+// A key of two names at most, and the table that it stands in; null where one of them is not there.
+struct Entry {
+    Node *table, *node;
+};
+Entry entry_at(Node& document, std::string_view key) {
+    const std::size_t dot = key.find('.');
+    Node* table = dot == std::string_view::npos ? &document : document.find(key.substr(0, dot));
+    return {table, table ? table->find(key.substr(dot + 1)) : nullptr};
+}
+
+// Who does the same in one file is one too many; a file's own choice overrides the one it inherits, but no maneuver.
+void choose(Node& document, std::string_view key, std::string_view other_key) {
+    const Entry one = entry_at(document, key), other = entry_at(document, other_key);
+    if (!one.node || !other.node) return;
+    const int own = one.node->file->generation, others = other.node->file->generation;
+    if (own == others || (key == "maneuver" && others < own)) {
+        fail_at(*other.node->file, other.node->begin,
+                "key '" + std::string(other_key) + "' = " + other.node->written() + ": expected either this or '" +
+                    std::string(key) + "', not both");
+    }
+    const Entry& lost = own < others ? other : one;
+    const std::string name = lost.node->key;
+    std::erase_if(std::get<TableValue>(lost.table->value).entries, [&](const Node& n) { return n.key == name; });
+}
+
+// Every control has one master.
+void choose_masters(Node& document) {
+    for (const char* other : {"driver", "inputs", "initial"}) choose(document, "maneuver", other);
+    for (const char* other : {"inputs.steering_wheel", "inputs.rack"}) choose(document, "driver.path", other);
+    for (const char* other : {"inputs.gear", "inputs.clutch"}) choose(document, "driver.gear", other);
+    for (const char* other : {"inputs.drive", "inputs.throttle"}) choose(document, "driver.speed", other);
+    Node* speed = entry_at(document, "driver.speed").node;
+    Node* may_brake = speed ? speed->find("may_brake") : nullptr;
+    const bool* brakes = may_brake ? std::get_if<bool>(&may_brake->value) : nullptr;
+    if (!brakes || *brakes) choose(document, "driver.speed", "inputs.brake");
+}
+
 std::vector<std::array<double, 2>> read_cones(const TableReader& course) {
     std::vector<std::array<double, 2>> cones;
     for (const TableReader& cone : course.tables("cone")) cones.push_back(cone.array<2>("position_m"));
@@ -143,6 +182,7 @@ bool is_scenario(const std::string& path) {
 
 ScenarioDescription read_scenario(const std::string& path) {
     Node document = read_toml(path);
+    choose_masters(document);
     return read_scenario(TableReader(document, ""));
 }
 
@@ -163,6 +203,10 @@ ScenarioDescription read_scenario(const TableReader& file) {
     if (const auto table = file.optional_table("output")) scenario.output = read_output(*table);
     file.expect(scenario.solver.step <= scenario.duration, "duration_s",
                 "at least one step of " + number_text(scenario.solver.step));
+    if (!file.is_recording() && file.has("duration_s")) {  // a maneuver's own is known to be right
+        file.expect(scenario.duration < most_steps * scenario.solver.step, "duration_s",
+                    "fewer than 1e9 steps of " + number_text(scenario.solver.step));
+    }
     file.finish();
     return scenario;
 }

@@ -65,8 +65,14 @@ StopDescription read_stop(const std::optional<TableReader>& stop) {
 
 BrakeDescription read_brake(const std::optional<TableReader>& brake) {
     if (!brake) return {};
-    return {brake->number("max_torque_N_m", not_negative), brake->number("windup_stiffness_N_m_per_rad", positive),
-            brake->number("windup_damping_N_m_s_per_rad", not_negative)};
+    BrakeDescription out{brake->number("max_torque_N_m", not_negative),
+                         brake->number("windup_stiffness_N_m_per_rad", positive),
+                         brake->number("windup_damping_N_m_s_per_rad", not_negative)};
+    if (const auto valve = brake->optional_table("valve")) {
+        out.valve_command = valve->number("command", fraction);
+        out.valve_slope = valve->number("slope", fraction);
+    }
+    return out;
 }
 
 }  // namespace hamilcar::io

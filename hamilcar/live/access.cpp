@@ -59,6 +59,11 @@ std::string Access::content_security_policy() const {
         address_, name_);
 }
 
+std::string refusal_text(int status, std::string_view reason) {
+    if (status != forbidden) return fmt::format("{}\n", reason);
+    return fmt::format("{}. If the program was started anew, open the address that it has printed.\n", reason);
+}
+
 std::string random_token() {
     std::array<unsigned char, 16> bytes{};
     if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {

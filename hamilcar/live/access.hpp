@@ -32,6 +32,9 @@ private:
     std::string address_, name_;  // "127.0.0.1:PORT", "localhost:PORT"
 };
 
+// What a refusal says to a person, who may have nothing but an old address: a line of text.
+std::string refusal_text(int status, std::string_view reason);
+
 // 128 random bits in hexadecimal. Throws io::Error(input_output) where the system has none.
 std::string random_token();
 

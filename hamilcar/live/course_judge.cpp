@@ -42,6 +42,18 @@ PathDescription line_of(const Course& course) {
     return path;
 }
 
+// What a maneuver's own summary tells is a test that the program drives, of which a person is judged by the ground alone.
+std::string task_on(const Course& course, bool is_lap) {
+    if (course.cones.empty() && course.boundaries.empty()) {
+        return std::string(is_lap ? "One lap along the dashed line" : "Along the dashed line to its end") +
+               ": time, speeds, lateral acceleration and deviation are measured, nothing is to be passed.";
+    }
+    const char* criteria = course.cones.empty()        ? "no boundary may be crossed."
+                           : course.boundaries.empty() ? "no cone may be hit."
+                                                       : "no cone may be hit and no boundary crossed.";
+    return std::string("Through the course to its end, at a speed of your own: ") + criteria;
+}
+
 }  // namespace
 
 CourseJudge::CourseJudge(TestCourse course, const VehicleDescription& vehicle)
@@ -50,6 +62,7 @@ CourseJudge::CourseJudge(TestCourse course, const VehicleDescription& vehicle)
       path_(line_of(course_.course)),
       cones_(course_.course.cones.size()),
       crossed_(course_.course.boundaries.size()) {
+    course_.summary = task_on(course_.course, path_.closed());
     end_ = path_.length();
     double first = std::numeric_limits<double>::infinity(), last = -first;
     const auto add = [&](double station) { first = std::min(first, station), last = std::max(last, station); };

@@ -21,7 +21,7 @@ struct TestCourse {
     std::string id;       // "double_lane_change"
     std::string name;     // short: "ISO 3888-1"
     std::string title;    // "Double lane change"
-    std::string summary;  // one sentence: what to do
+    std::string summary;  // one sentence: what to do, and what of it is judged; the judge's own
     Course course;
 };
 

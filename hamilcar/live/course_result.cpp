@@ -34,16 +34,17 @@ CourseResult course_result(const Course& course, const CourseRun& run) {
             run.looks > 0);
         return out;
     }
-    if (!course.boundaries.empty()) {
-        out.verdicts.push_back(
-            {"no boundary is crossed", run.boundaries == 0, count(run.boundaries, "boundary", "boundaries")});
-    }
-    if (!course.cones.empty()) {
-        out.verdicts.push_back({"no cone is hit", run.cones == 0, count(run.cones, "cone", "cones")});
-    }
+    // Who did not come to the end may have touched something, but has not shown that he touches nothing.
+    const auto add_touched = [&](const char* criterion, int touched, const char* one, const char* many) {
+        const bool judged = run.finished || touched > 0;
+        out.verdicts.push_back({criterion, judged ? std::optional(touched == 0) : std::nullopt,
+                                judged ? count(touched, one, many) : std::string()});
+    };
+    if (!course.boundaries.empty()) add_touched("no boundary is crossed", run.boundaries, "boundary", "boundaries");
+    if (!course.cones.empty()) add_touched("no cone is hit", run.cones, "cone", "cones");
     out.verdicts.push_back({"driven through to the end", run.finished,
                             run.finished ? "" : fmt::format("{:.0f} m", std::max(run.distance, 0.0))});
-    out.passed = std::ranges::all_of(out.verdicts, &Verdict::passed);
+    out.passed = std::ranges::all_of(out.verdicts, [](const CourseVerdict& one) { return one.passed == true; });
     return out;
 }
 

@@ -61,8 +61,7 @@ int GearLever::fitting_gear(const Senses& senses, double throttle) const {
 // next to it do not pass through those between.
 void GearLever::change_to(int gear) {
     ShiftMemory& memory = now_.memory;
-    const bool evenly = car_.gearbox.automatic || !car_.has_clutch;
-    const bool skips = evenly && std::min(memory.gear, gear) <= 0 && std::abs(gear - memory.gear) > 1;
+    const bool skips = !car_.has_clutch && std::min(memory.gear, gear) <= 0 && std::abs(gear - memory.gear) > 1;
     memory.next = gear, memory.clock = 0;
     memory.phase = Phase::changing;
     if (now_.begun && !skips) return;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "hamilcar/driver/arms.hpp"
+
 namespace hamilcar::live {
 
 namespace {
@@ -15,9 +17,8 @@ struct Agility {
     double pedal;  // full travel of a foot that presses [1/s]
 };
 constexpr Agility on_keys{400 * degree, 2.5}, on_axes{1500 * degree, 10};
-constexpr double quickness = 30;                            // natural frequency of the arms [1/s]
-constexpr double hardest_turn = quickness * on_axes.speed;  // acceleration of the steering wheel [rad/s^2]
-constexpr double release = 10, foot_lag = 0.03;             // of a foot that lifts, or is on a clutch [1/s]; of any [s]
+constexpr double hardest_turn = Arms::quickness * on_axes.speed;  // of the steering wheel [rad/s^2]
+constexpr double release = 10, foot_lag = 0.03;  // of a foot that lifts, or is on a clutch [1/s]; of any [s]
 
 constexpr double lateral_acceleration = 0.8 * 9.80665;  // that keys ask for at most [m/s^2]
 constexpr double traction = 4, power = 45;              // of the whole mass [m/s^2], [W/kg]
@@ -71,21 +72,12 @@ RackMotion<double> Hands::turn_rack(const Controls& held, double speed) {
     return {rack.value, rack.rate, rack.acceleration};
 }
 
-// Over the step, at an acceleration that is returned: the spring's a = w^2 (wanted - angle) - 2 w rate with both as they
-// will be at the end, which is stable for a step of any length. At its end the rate is at most w (lock - angle), so that the
-// wheel never turns past the lock; to keep that it brakes by w rate at most, which the bound on the acceleration allows.
+// Over the step, at an acceleration that is returned.
 double Hands::turn_wheel(const Controls& held, double speed) {
-    const Agility& agility = held.device == Device::keys ? on_keys : on_axes;
-    double &angle = now_.angle, &rate = now_.rate;
-    const double w = quickness, h = step_;
-    const double wanted = held.steer * reach(held.device, speed);
-    const double free = (w * w * (wanted - angle - h * rate) - 2 * w * rate) / ((1 + w * h) * (1 + w * h));
-    const double half_way = angle + 0.5 * h * rate, braking = w / (1 + 0.5 * w * h);
-    const double next = std::clamp(rate + h * free, std::max(-agility.speed, -braking * (car_.lock + half_way)),
-                                   std::min(agility.speed, braking * (car_.lock - half_way)));
-    const double acceleration = std::clamp((next - rate) / h, -hardest_turn, hardest_turn);
-    angle += h * rate + 0.5 * h * h * acceleration;
-    rate += h * acceleration;
+    const Arms arms{car_.lock, (held.device == Device::keys ? on_keys : on_axes).speed, hardest_turn};
+    const double acceleration = arms.acceleration(now_.angle, now_.rate, reach(held.device, speed) * held.steer, step_);
+    now_.angle += step_ * now_.rate + 0.5 * step_ * step_ * acceleration;
+    now_.rate += step_ * acceleration;
     return acceleration;
 }
 

@@ -68,12 +68,12 @@ void Lobby::heed(std::uint32_t number, const ClientMessage& message) {
     } else if (number == driver_) {
         wish(number, message);
     } else if (driver_ != 0) {
-        refuse(number, fmt::format("page {} drives, this one watches", driver_));
+        refuse(number, fmt::format("Page {} drives, this one watches.", driver_));
     } else if (std::holds_alternative<TakeMessage>(message)) {
         take_wheel(number);
         tell_status();
     } else {
-        refuse(number, "nobody drives; take the wheel first");
+        refuse(number, "Nobody drives. Take the wheel first.");
     }
 }
 
@@ -89,9 +89,9 @@ void Lobby::wish(std::uint32_t number, const ClientMessage& message) {
 void Lobby::load(std::uint32_t number, const Wish& wish) {
     const Garage& garage = session_.garage();
     if (!knows(garage.vehicles, wish.vehicle)) {
-        refuse(number, fmt::format("there is no vehicle '{}'", wish.vehicle));
+        refuse(number, fmt::format("There is no vehicle '{}'.", wish.vehicle));
     } else if (!knows(garage.roads, wish.road)) {
-        refuse(number, fmt::format("there is no road '{}'", wish.road));
+        refuse(number, fmt::format("There is no road '{}'.", wish.road));
     } else {
         session_.load(wish, number);
     }

@@ -60,7 +60,8 @@ private:
         response_.set("Referrer-Policy", "no-referrer");
         if (found) response_.set("Content-Security-Policy", access_.content_security_policy());
         response_.keep_alive(false);
-        const std::string text = std::string(beast::http::obsolete_reason(status)) + "\n";
+        const auto reason = beast::http::obsolete_reason(status);
+        const std::string text = refusal_text(static_cast<int>(status), {reason.data(), reason.size()});
         const std::string& body = found ? page_ : text;
         if (parser_.get().method() != beast::http::verb::head) response_.body() = body;
         response_.content_length(body.size());

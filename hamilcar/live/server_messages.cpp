@@ -128,13 +128,15 @@ std::string result_message(const TestCourse& course, const CourseRun& run) {
         values.push_back(
             {{"name", figure.name}, {"unit", figure.unit}, {"value", figure.value}, {"meaning", figure.meaning}});
     }
-    for (const Verdict& verdict : result.verdicts) {
-        verdicts.push_back({{"criterion", verdict.criterion}, {"passed", verdict.passed}, {"found", verdict.found}});
+    const auto judged = [](std::optional<bool> passed) { return passed ? json(*passed) : json(); };
+    for (const CourseVerdict& verdict : result.verdicts) {
+        verdicts.push_back(
+            {{"criterion", verdict.criterion}, {"passed", judged(verdict.passed)}, {"found", verdict.found}});
     }
     return text_of({{"type", "result"},
                     {"course", course.id},
                     {"finished", result.finished},
-                    {"passed", result.passed ? json(*result.passed) : json()},
+                    {"passed", judged(result.passed)},
                     {"values", std::move(values)},
                     {"verdicts", std::move(verdicts)},
                     {"time", result.time}});

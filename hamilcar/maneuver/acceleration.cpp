@@ -44,7 +44,6 @@ std::vector<Setting> settings(const VehicleDescription& vehicle) {
 ScenarioDescription full_throttle(const VehicleDescription& vehicle, const ManeuverOptions& options,
                                   const Settings& chosen, double speed, double duration) {
     ScenarioDescription scenario = driving_at(vehicle, options, speed, duration);
-    scenario.name = "acceleration";
     scenario.road.friction *= chosen.at("friction");
     scenario.driver.speed.reset();
     scenario.driver.shifting = ShiftingDescription{};
@@ -119,6 +118,7 @@ bool drive_from_rest(Outcome& outcome, const VehicleDescription& vehicle, const 
     constexpr double slowest = 4, reserve = 30;  // mean speed, and what a launch takes at most [m/s], [s]
     const double way = chosen.at("distance");
     ScenarioDescription scenario = full_throttle(vehicle, options, chosen, 0, reserve + way / slowest);
+    scenario.name = "from rest";
     constexpr double beyond = 1;  // so that the last distance is passed [m]
     scenario.driver.ending.distance = way + beyond;
     Trial trial = straight::drive_again_finely(vehicle, scenario, straight::trial_options(options, 0, share));
@@ -143,6 +143,7 @@ bool drive_elastically(Outcome& outcome, const VehicleDescription& vehicle, cons
     const double from = chosen.at("elasticity_from"), to = chosen.at("elasticity_to");
     constexpr double run_up = 0.95, longest = 90;  // share of the first speed that it starts at; [s]
     ScenarioDescription scenario = full_throttle(vehicle, options, chosen, run_up * from * kilometer_per_hour, longest);
+    scenario.name = fmt::format("{:g} to {:g} km/h in gear {}", from, to, gear);
     scenario.driver.shifting->gear = gear;
     constexpr double beyond = 0.2;  // so that the last speed is passed [m/s]
     scenario.driver.ending.speed_above = to * kilometer_per_hour + beyond;
@@ -184,6 +185,7 @@ bool drive_fast(Outcome& outcome, const VehicleDescription& vehicle, const Setti
     constexpr double long_enough = 30;  // [s]
     constexpr double below = 0.98;      // of the balance, that it starts at
     ScenarioDescription scenario = full_throttle(vehicle, options, chosen, below * balance->speed, long_enough);
+    scenario.name = "top speed";
     scenario.driver.shifting->gear = balance->gear;
     Trial trial = straight::drive_again_finely(vehicle, scenario, straight::trial_options(options, begin, 1));
     if (!straight::add_drive(outcome, trial)) return false;

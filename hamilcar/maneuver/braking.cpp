@@ -20,6 +20,13 @@ std::size_t pedal_row(const History& history) {
     return row_at(history, approach);
 }
 
+// How many rows there are until it stands: then it rocks on its tires, which says nothing of the braking.
+std::size_t rows_to_standstill(const History& history, const std::vector<double>& speed) {
+    std::size_t row = pedal_row(history);
+    while (row < history.size() && speed[row] > standing) ++row;
+    return row;
+}
+
 }  // namespace
 
 ScenarioDescription stop(const VehicleDescription& vehicle, const ManeuverOptions& options, const Use& use,
@@ -63,7 +70,7 @@ std::vector<double> slip(const History& history, std::size_t wheel) {
     const std::vector<double> speed = straight::ground_speed(history);
     const double rolling = history.speed[at] / turning[at];
     std::vector<double> out(history.size(), 0);
-    for (std::size_t i = 0; i < out.size(); ++i) {
+    for (std::size_t i = 0; i < rows_to_standstill(history, speed); ++i) {
         if (speed[i] > standing) out[i] = percent * (1 - turning[i] * rolling / speed[i]);
     }
     return out;
@@ -115,7 +122,11 @@ void add_lock_figures(Outcome& outcome, const VehicleDescription& vehicle, const
 }
 
 void add_charts(Outcome& outcome, const VehicleDescription& vehicle, const History& history) {
-    const auto thinned = [](const std::vector<double>& values) { return straight::thinned(values); };
+    const std::size_t rows = rows_to_standstill(history, straight::ground_speed(history));
+    const auto thinned = [rows](std::vector<double> values) {
+        values.resize(rows);
+        return straight::thinned(values);
+    };
     const std::vector<double> way = straight::distance(history);
     const std::size_t at = pedal_row(history);
     std::vector<double> from_pedal(way), time(history.time), deceleration;

@@ -31,7 +31,7 @@ struct Stop {
     double time = nowhere;           // likewise [s]
     double developed = nowhere;      // mean fully developed deceleration [m/s^2]
     double heading = 0;              // largest change of it, with its sign [rad]
-    double beside = 0;               // farthest that a wheel's middle gets from the line straight ahead [m]
+    double beside = 0;               // farthest that a wheel's outer tire gets from the line straight ahead [m]
     std::vector<double> lock;        // of every wheel, from the pedal on; NaN where it never locks [s]
 };
 Stop evaluated(const History& history);

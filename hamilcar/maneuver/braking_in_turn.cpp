@@ -50,9 +50,13 @@ double at_deceleration(const std::vector<Driven>& all, double deceleration, doub
     return nowhere;
 }
 
-double most(const std::vector<Driven>& all, double Run::*value) {
+// Of all runs the value farthest from what is neutral, either way and with its sign.
+double farthest(const std::vector<Driven>& all, double Run::*value, double neutral = 0) {
     double out = nowhere;
-    for (const Driven& one : all) out = std::isnan(out) || one.run.*value > out ? one.run.*value : out;
+    for (const Driven& one : all) {
+        const double here = one.run.*value;
+        if (std::isnan(out) || std::abs(here - neutral) > std::abs(out - neutral)) out = here;
+    }
     return out;
 }
 
@@ -64,7 +68,7 @@ void add_figures(const std::vector<Driven>& all, const Steady& steady, double re
     if (std::isnan(at(&Run::deceleration)) && !all.empty()) {
         outcome.notes.push_back(
             fmt::format("no figures at {:g} m/s^2: the runs' mean decelerations go from {:.1f} to {:.1f} m/s^2",
-                        reference, all.front().run.deceleration, most(all, &Run::deceleration)));
+                        reference, all.front().run.deceleration, farthest(all, &Run::deceleration)));
     }
     const std::string where = fmt::format("1 s after braking began, at a mean deceleration of {:g} m/s^2", reference);
     add("radius", "m", steady.radius, "of the steady circle");
@@ -76,12 +80,15 @@ void add_figures(const std::vector<Driven>& all, const Steady& steady, double re
     add("lateral acceleration ratio", "", at(&Run::acceleration_ratio), "likewise, " + where);
     add("path deviation", "m", at(&Run::deviation), "of the center of mass from the circle, inward positive, " + where);
     add("sideslip change", "deg", at(&Run::sideslip_change) / degree, "since the beginning of braking, " + where);
-    add("largest yaw rate ratio", "", most(all, &Run::yaw_rate_ratio), "1 s after braking began, of all runs");
-    add("largest path deviation", "m", most(all, &Run::deviation), "1 s after braking began, of all runs");
-    add("largest sideslip change", "deg", most(all, &Run::largest_sideslip_change) / degree, "either way, of all runs");
-    add("largest yaw acceleration", "deg/s^2", most(all, &Run::largest_yaw_acceleration) / degree,
+    add("extreme yaw rate ratio", "", farthest(all, &Run::yaw_rate_ratio, 1),
+        "1 s after braking began, the one of all runs that is farthest from 1");
+    add("largest path deviation", "m", farthest(all, &Run::deviation),
+        "1 s after braking began, the largest of all runs either way, inward positive");
+    add("largest sideslip change", "deg", farthest(all, &Run::largest_sideslip_change) / degree,
         "either way, of all runs");
-    add("largest deceleration", "m/s^2", most(all, &Run::deceleration), "mean over 1 s, of all runs");
+    add("largest yaw acceleration", "deg/s^2", farthest(all, &Run::largest_yaw_acceleration) / degree,
+        "either way, of all runs");
+    add("largest deceleration", "m/s^2", farthest(all, &Run::deceleration), "mean over 1 s, of all runs");
     const auto locking = std::ranges::find_if(all, [](const Driven& one) { return one.run.locked > 0; });
     add("deceleration with locked wheels", "m/s^2", locking == all.end() ? nowhere : locking->run.deceleration,
         "of the first run in which a wheel locked within 1 s");

@@ -34,12 +34,21 @@ std::string obstacle(const VehicleDescription&) {
     return "";
 }
 
+// The speed to start from, so that the highest one that is evaluated comes only after the body has settled: by what the
+// vehicle's file makes of the resistance, which settling hardly changes.
+double head_start(const VehicleDescription& vehicle, double from) {
+    constexpr double ahead = 1.02;    // of the highest speed, at least
+    constexpr double reserve = 1.25;  // of the way down to it
+    const double deceleration = straight::resistance(vehicle, ahead * from).sum() / straight::rolling_mass(vehicle);
+    return ahead * from + reserve * settling * std::max(deceleration, 0.0);
+}
+
 // In neutral; nobody brakes, and the steering is held.
 ScenarioDescription rolling_out(const VehicleDescription& vehicle, const ManeuverOptions& options, double from,
                                 double to) {
-    constexpr double ahead = 1.02;  // of the highest speed, that it starts at
     constexpr double least = 0.08;  // deceleration that rolling tires make sure of [m/s^2]
-    ScenarioDescription scenario = driving_at(vehicle, options, ahead * from, settling + (ahead * from - to) / least);
+    const double start = head_start(vehicle, from);
+    ScenarioDescription scenario = driving_at(vehicle, options, start, settling + (start - to) / least);
     scenario.name = "coast_down";
     scenario.driver.speed.reset();
     if (scenario.driver.shifting) scenario.driver.shifting->gear = 0;
@@ -84,7 +93,7 @@ void add_figures(Outcome& outcome, const VehicleDescription& vehicle, const Resi
     const auto add = [&](const std::string& name, const std::string& unit, const std::string& meaning, double value) {
         outcome.figures.push_back({name, unit, meaning, value});
     };
-    add("coast-down time", "s", "from the highest to the lowest speed", time);
+    add("coast-down time", "s", "from the highest to the lowest speed that was asked for", time);
     add("F0", "N", "of F = F0 + F1 v + F2 v^2", f[0]);
     add("F1", "N s/m", "likewise", f[1]);
     add("F2", "N s^2/m^2", "likewise", f[2]);
@@ -149,8 +158,15 @@ Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, cons
                                      trial.history.time.back(), trial.history.speed.back() / kilometer_per_hour);
         return outcome;
     }
-    const auto begin = first_crossing(speed, from, Crossing::falling),
-               end = first_crossing(speed, to, Crossing::falling);
+    const auto begin = first_crossing(speed, from, Crossing::falling, settling),
+               end = first_crossing(speed, to, Crossing::falling, settling);
+    if (!begin || !end) {
+        outcome.notes.push_back(
+            fmt::format("not all of {:g} to {:g} km/h was driven after the first {:g} s: the highest speed that is "
+                        "evaluated is {:.1f} km/h, the lowest {:.1f} km/h, and there is no time for the whole",
+                        chosen.at("from"), chosen.at("to"), settling, resistances.speed.front() / kilometer_per_hour,
+                        resistances.speed.back() / kilometer_per_hour));
+    }
     const Eigen::Vector3d f = fitted(resistances);
     add_figures(outcome, vehicle, resistances, f, begin && end ? *end - *begin : nowhere);
     add_charts(outcome, vehicle, trial.history, resistances, f);

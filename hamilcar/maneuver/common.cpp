@@ -74,9 +74,19 @@ std::string needs_power_units(const VehicleDescription& vehicle) {
     return vehicle.power_units.empty() ? "its file has no [[power_unit]]" : "";
 }
 
+double half_tire(const VehicleDescription& vehicle) {
+    constexpr double least = 0.1;        // [m]
+    constexpr double per_radius = 0.27;  // 11 R 22.5: 0.28 m wide, 1.05 m high
+    double half = least;
+    for_each_wheel(vehicle, [&](const auto& wheel, std::size_t) {
+        half = std::max(half, per_radius * casing_of(wheel.tire).radius);
+    });
+    return half;
+}
+
 Footprint footprint(const VehicleDescription& vehicle) {
     const Point& center = vehicle.chassis.center_of_mass;
-    constexpr double half_tire = 0.1;  // where a file says nothing of its width [m]
+    const double half = half_tire(vehicle);
     Footprint box{-1e9, 1e9, -1e9, 1e9};
     const auto add = [&](double x, double y, double beside, double ahead) {
         box.front = std::max(box.front, x - center[0] + ahead), box.rear = std::min(box.rear, x - center[0] - ahead);
@@ -84,9 +94,19 @@ Footprint footprint(const VehicleDescription& vehicle) {
     };
     for (const Point& point : vehicle.hull.points) add(point[0], point[1], 0, 0);
     for_each_wheel(vehicle, [&](const auto& wheel, std::size_t unit) {
-        if (unit == 0) add(wheel.wheel.center[0], wheel.wheel.center[1], half_tire, wheel.wheel.center[2]);
+        const Point& at = wheel.wheel.center;
+        if (unit == 0) add(at[0], at[1], half + 0.5 * dual_spacing(wheel), at[2]);
     });
     return box;
+}
+
+double rear_end(const VehicleDescription& vehicle) {
+    double rear = footprint(vehicle).rear;
+    for_each_wheel(vehicle, [&](const auto& wheel, std::size_t) {
+        const Point& at = wheel.wheel.center;
+        rear = std::min(rear, at[0] - at[2] - vehicle.chassis.center_of_mass[0]);
+    });
+    return rear;
 }
 
 double wheelbase(const VehicleDescription& vehicle) {

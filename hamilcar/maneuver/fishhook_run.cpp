@@ -16,10 +16,7 @@ constexpr double steering = 1, lift = 0.9;      // when the wheel begins to turn
 constexpr double longest_dwell = 1.5;           // that feedback waits [s]
 constexpr double calm = 1.5 * degree;           // roll rate that ends the dwell [rad/s]
 constexpr double hold = 3;                      // of the counter-steer [s]
-// That a side is off the road, to count as two-wheel lift. NHTSA asks for two inches under both wheels; one thrown up and
-// falling back at two thirds of g is that high after so long a flight [s].
-constexpr double lifted_time = 0.25;
-constexpr double unloaded = 1e-3;  // of its load standing: a side that carries no more is off the road [1]
+constexpr double unloaded = 1e-3;               // of its load standing: a side that carries no more is off the road [1]
 
 // The wheels of one side of a unit, by their numbers in a History.
 using Side = std::vector<std::size_t>;
@@ -61,8 +58,16 @@ void evaluate(const VehicleDescription& vehicle, const Trial& trial, Run& run) {
             run.lifted = std::max(run.lifted, lifted);
         }
     }
-    run.roll = largest(h.roll), run.lateral_acceleration = largest(h.lateral_acceleration);
-    run.tips = trial.trouble.has_value() || run.lifted >= lifted_time;
+    run.roll = largest(h.roll), run.lateral_acceleration = largest(smoothed(h.lateral_acceleration, 1 / interval));
+    run.tips = trial.trouble.has_value() || run.lifted >= tip_up_time;
+}
+
+double calm_after(const History& h, double reached) {
+    for (std::size_t i = row_at(h, reached) + 1; i < h.size(); ++i) {
+        const double rate = (std::abs(h.roll[i]) - std::abs(h.roll[i - 1])) / (h.time[i] - h.time[i - 1]);
+        if (rate <= calm) return h.time[i] - reached;
+    }
+    return longest_dwell;
 }
 
 Fishhook::Fishhook(const VehicleDescription& vehicle, const ManeuverOptions& options, double angle, bool feedback)
@@ -75,7 +80,7 @@ Trial Fishhook::drive(Run& run, bool film, double from, double to) const {
         first.dwell = longest_dwell;
         Trial trial = turn(first, false, true, share(options_, from, middle));
         if (interrupted(trial)) return trial;
-        run.dwell = calm_after(trial.history);
+        run.dwell = calm_after(trial.history, steering + angle_ / steering_rate);
     }
     Trial trial = turn(run, film, false, share(options_, middle, to));
     evaluate(vehicle_, trial, run);
@@ -93,16 +98,6 @@ Trial Fishhook::turn(const Run& run, bool film, bool first_turn_only, std::funct
         turned({{0, 0}, {steering, 0}, {steering + out, most}, {turned_back, most}, {turned_back + back, -most}});
     lift_foot(scenario, speed, lift);
     return hamilcar::drive(vehicle_, scenario, {.film = film, .keep_going = std::move(keep_going)});
-}
-
-// From the end of the first turn of the wheel to where the roll rate has come down to what is calm [s].
-double Fishhook::calm_after(const History& h) const {
-    const double reached = steering + angle_ / steering_rate;
-    for (std::size_t i = row_at(h, reached) + 1; i < h.size(); ++i) {
-        const double rate = (std::abs(h.roll[i]) - std::abs(h.roll[i - 1])) / (h.time[i] - h.time[i - 1]);
-        if (rate <= calm) return h.time[i] - reached;
-    }
-    return longest_dwell;
 }
 
 }  // namespace hamilcar::fishhook_run

@@ -5,6 +5,9 @@
 
 namespace hamilcar::fishhook_run {
 
+// That a side is off the road, to count as two-wheel lift. NHTSA asks for two inches under both wheels; one thrown up and
+// falling back at two thirds of g is that high after so long a flight [s].
+inline constexpr double tip_up_time = 0.25;
 inline constexpr double fixed_dwell = 0.25;  // of the wheel at its first angle [s]
 
 struct Run {
@@ -15,7 +18,7 @@ struct Run {
     double lightest = 1;              // least load of a side of any unit over what it carries standing [1]
     double lifted = 0;                // how long a side of any unit was off the road [s]
     double roll = 0;                  // largest [rad]
-    double lateral_acceleration = 0;  // largest [m/s^2]
+    double lateral_acceleration = 0;  // largest, smoothed [m/s^2]
 };
 
 class Fishhook {
@@ -28,13 +31,16 @@ public:
 
 private:
     Trial turn(const Run& run, bool film, bool first_turn_only, std::function<bool(double)> keep_going) const;
-    double calm_after(const History& history) const;
 
     const VehicleDescription& vehicle_;
     const ManeuverOptions& options_;
     double angle_;
     bool feedback_;
 };
+
+// How long after the wheel has reached its first angle, at `reached` [s], the roll rate has come down to 1.5 deg/s; 1.5 s if
+// it does not [s].
+double calm_after(const History& history, double reached);
 
 // Lift, roll and lateral acceleration.
 void evaluate(const VehicleDescription& vehicle, const Trial& trial, Run& run);

@@ -15,7 +15,6 @@ constexpr double cone_distance = 3;     // between two cones of a row, about [m]
 constexpr double stride = 1;            // between two points of the line [m]
 constexpr double straight_before = 60;  // of the line before the first lane and behind the last one [m]
 constexpr double spared = 0.4;          // of the room beside the box that the line leaves to the driver [1]
-constexpr double half_tire = 0.15;      // of a trailer, beside its wheels' contacts [m]
 
 // y at stations x_i, which minimizes sum (y_i-1 - 2 y_i + y_i+1)^2 + stiffness sum (what a point of the box is beyond its
 // bound)^2. The bounds are linear in y: a point `ahead` of the center of mass stands at y + ahead y'. Newton's method on the
@@ -101,6 +100,7 @@ struct Cover {
     double right = 1e9, left = -1e9;
     bool any() const { return left >= right; }
     void add(double y) { right = std::min(right, y), left = std::max(left, y); }
+    void add(const Cover& other) { right = std::min(right, other.right), left = std::max(left, other.left); }
 };
 
 using Outline = std::array<std::array<double, 2>, 4>;
@@ -127,13 +127,38 @@ Cover cover(const Outline& corners, double begin, double end) {
     return out;
 }
 
-// Wheels of trailers by their number.
-std::vector<std::size_t> trailer_wheels(const VehicleDescription& vehicle) {
-    std::vector<std::size_t> out;
-    std::size_t i = 0;
-    for_each_wheel(vehicle, [&](const auto&, std::size_t unit) {
-        if (unit != 0) out.push_back(i);
-        ++i;
+// A wheel of a trailer on the ground, with all its tires.
+struct Follower {
+    std::size_t number;  // in a History
+    double left, right;  // its edges, from the outer tire's contact, both positive [m]
+
+    Cover cover(const History& history, std::size_t row, double begin, double end) const {
+        Cover out;
+        const double x = history.wheel_x[number][row], y = history.wheel_y[number][row];
+        if (x >= begin && x <= end) out.add(y - right), out.add(y + left);
+        return out;
+    }
+    // Since the row before: at speed a contact is far from where it was.
+    bool runs_over(const std::array<double, 2>& cone, const History& history, std::size_t row) const {
+        if (row == 0) return false;
+        const auto &x = history.wheel_x[number], &y = history.wheel_y[number];
+        const double way = x[row] - x[row - 1], share = (cone[0] - x[row - 1]) / way;
+        if (way == 0 || share < 0 || share > 1) return false;
+        const double middle = y[row - 1] + share * (y[row] - y[row - 1]);
+        return cone[1] > middle - right && cone[1] < middle + left;
+    }
+    bool is_beyond(const History& history, double x) const { return history.wheel_x[number].back() > x; }
+};
+
+std::vector<Follower> followers_of(const VehicleDescription& vehicle) {
+    const double half = half_tire(vehicle);
+    std::vector<Follower> out;
+    std::size_t number = 0;
+    for_each_wheel(vehicle, [&](const auto& wheel, std::size_t unit) {
+        const double inner = half + dual_spacing(wheel);
+        const bool is_right = wheel.wheel.center[1] < 0;
+        if (unit != 0) out.push_back({number, is_right ? inner : half, is_right ? half : inner});
+        ++number;
     });
     return out;
 }
@@ -169,29 +194,29 @@ Course lane_course(const std::vector<Lane>& lanes, const Footprint& box) {
 Passage passage(const VehicleDescription& vehicle, const std::vector<Lane>& lanes, const History& history) {
     const Footprint box = footprint(vehicle);
     const auto cones = cones_of(lanes);
-    const auto followers = trailer_wheels(vehicle);
+    const std::vector<Follower> followers = followers_of(vehicle);
     std::vector<bool> hit(cones.size());
     Passage out{.clearance = 1e9, .place = 0, .cones = 0, .complete = false};
     for (std::size_t row = 0; row < history.size(); ++row) {
         const Outline corners = outline(box, history, row);
         for (const Lane& lane : lanes) {
             Cover covered = cover(corners, lane.begin, lane.end);
-            for (const std::size_t wheel : followers) {
-                const double x = history.wheel_x[wheel][row], y = history.wheel_y[wheel][row];
-                if (x < lane.begin || x > lane.end) continue;
-                covered.add(y - half_tire), covered.add(y + half_tire);
-            }
+            for (const Follower& wheel : followers) covered.add(wheel.cover(history, row, lane.begin, lane.end));
             if (!covered.any()) continue;
             const double clearance = std::min(lane.left - covered.left, covered.right - lane.right);
             if (clearance < out.clearance) out.clearance = clearance, out.place = history.x[row];
         }
         for (std::size_t i = 0; i < cones.size(); ++i) {
             const Cover at = cover(corners, cones[i][0], cones[i][0]);
-            hit[i] = hit[i] || (at.any() && cones[i][1] > at.right && cones[i][1] < at.left);
+            hit[i] = hit[i] || (at.any() && cones[i][1] > at.right && cones[i][1] < at.left) ||
+                     std::ranges::any_of(
+                         followers, [&](const Follower& wheel) { return wheel.runs_over(cones[i], history, row); });
         }
     }
     out.cones = static_cast<std::size_t>(std::ranges::count(hit, true));
-    out.complete = history.size() > 0 && history.x.back() + box.rear > lanes.back().end;
+    const double end = lanes.back().end;
+    out.complete = history.size() > 0 && history.x.back() + box.rear > end &&
+                   std::ranges::all_of(followers, [&](const Follower& wheel) { return wheel.is_beyond(history, end); });
     return out;
 }
 

@@ -25,17 +25,17 @@ std::vector<std::array<double, 2>> easiest_line(const std::vector<Lane>& lanes, 
 
 // How a drive went.
 struct Passage {
-    double clearance;   // least distance of the vehicle's box from a boundary beside it; negative: across it [m]
+    double clearance;   // least distance of the vehicle from a boundary beside it; negative: across it [m]
     double place;       // x of the center of mass there [m]
     std::size_t cones;  // that were run over
-    bool complete;      // whether the whole box came out of the last lane
+    bool complete;      // whether the box and every trailer came out of the last lane
     bool too_slow() const { return !complete && clearance >= 0 && cones == 0; }  // it stopped on the way
     bool better_than(const Passage& other) const {
         return complete != other.complete ? complete : clearance > other.clearance;
     }
     bool clean() const { return complete && clearance >= 0 && cones == 0; }
 };
-// The box stands for the motor vehicle, the wheels' contacts for trailers.
+// The box stands for the motor vehicle, the tires on the ground for trailers.
 Passage passage(const VehicleDescription& vehicle, const std::vector<Lane>& lanes, const History& history);
 
 }  // namespace hamilcar

@@ -148,6 +148,7 @@ std::pair<ManeuverRun, Outcome> read_outcome(const std::string& path) {
             outcome.verdicts.push_back({v.at("criterion"), v.at("passed"), v.at("found")});
         }
         for (const Json& chart : json.at("charts")) outcome.charts.push_back(chart_of(chart));
+        for (const Json& note : json.at("notes")) outcome.notes.push_back(note);
         if (json.at("failed").is_string()) outcome.failed = json.at("failed");
         return {run, outcome};
     } catch (const nlohmann::json::exception&) {

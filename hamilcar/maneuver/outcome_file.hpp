@@ -22,7 +22,7 @@ struct ManeuverRun {
 
 nlohmann::ordered_json outcome_json(const ManeuverRun& run, const Outcome& outcome);
 
-// Without film, course and notes. Throws io::Error(bad_file) for what is no outcome of hamilcar's, input_output for what
+// Without film and course. Throws io::Error(bad_file) for what is no outcome of hamilcar's, input_output for what
 // cannot be read.
 std::pair<ManeuverRun, Outcome> read_outcome(const std::string& path);
 

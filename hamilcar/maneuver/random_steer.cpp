@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "hamilcar/analysis/spectrum.hpp"
 #include "hamilcar/maneuver/catalog.hpp"
@@ -18,12 +19,13 @@ namespace hamilcar {
 
 namespace {
 
-constexpr double onset = 1;                    // over which it grows [s]
-constexpr double interval = 0.01;              // between rows [s]
-constexpr double piece = 20;                   // of a spectrum, at least; half the drive at most [s]
-constexpr double trusted = 0.9;                // coherence from which a line of the spectrum counts
-constexpr double lowest = 0.1;                 // of the steering [Hz]
-constexpr double first_line = 0.2;             // of the response [Hz]
+constexpr double onset = 1;                      // over which it grows [s]
+constexpr double interval = 0.01;                // between rows [s]
+constexpr std::size_t piece = 2048;              // rows of a spectrum, 20.48 s; half the drive at most
+constexpr double trusted = 0.9;                  // coherence from which a line of the spectrum counts
+constexpr double lowest = 0.1;                   // of the steering [Hz]
+constexpr double first_line = 0.2, hair = 0.01;  // of the response; spectra have a line at 0.195 [Hz]
+constexpr double visible = 1.01;               // peak ratio from which there is a peak, and not just a spectrum's noise
 constexpr double judged = 2;                   // up to here the coherence is to be good [Hz]
 constexpr std::uint32_t purpose = 0x73746572;  // tells these numbers from others of the same seed
 
@@ -61,21 +63,21 @@ SignalDescription random_steering(const Settings& chosen) {
     return out;
 }
 
+// All lines from the first one on, coherent or not.
 SteeringGain gain_of(const History& history, double highest) {
     const auto from = static_cast<std::ptrdiff_t>(row_at(history, straight_ahead + onset));
     const auto part = [&](const std::vector<double>& column) {
         return std::vector<double>(column.begin() + from, column.end());
     };
     const std::vector<double> angle = part(history.steering_wheel);
-    const double rate = series_of(history, history.time).rate,
-                 longest = std::min(piece * rate, static_cast<double>(angle.size()) / 2);
-    const std::size_t segment = std::bit_floor(static_cast<std::size_t>(longest));
+    const double rate = series_of(history, history.time).rate;
+    const std::size_t segment = std::min(piece, std::bit_floor(angle.size() / 2));
     const FrequencyResponse yaw = frequency_response(angle, part(history.yaw_rate), rate, segment);
     const FrequencyResponse lateral = frequency_response(angle, part(history.lateral_acceleration), rate, segment);
     SteeringGain out;
     for (std::size_t k = 1; k < yaw.response.size(); ++k) {
         const double f = static_cast<double>(k) * yaw.resolution;
-        if (f < first_line || f > highest || yaw.coherence[k] < trusted) continue;
+        if (f < first_line - hair || f > highest) continue;
         out.frequency.push_back(f);
         out.yaw_rate.push_back(yaw.response[k]), out.yaw_coherence.push_back(yaw.coherence[k]);
         out.lateral_acceleration.push_back(lateral.response[k]);
@@ -84,15 +86,69 @@ SteeringGain gain_of(const History& history, double highest) {
     return out;
 }
 
-Verdict coherent(const SteeringGain& found, double highest) {
-    const double up_to = std::min(judged, highest);
-    double least = found.frequency.empty() || found.frequency.back() < 0.9 * up_to ? 0 : 1;
-    for (std::size_t i = 0; i < found.frequency.size() && found.frequency[i] <= up_to; ++i) {
-        least = std::min(least, found.yaw_coherence[i]);
+// Those lines on which an output follows the steering wheel.
+SteeringGain trusted_lines(const SteeringGain& all, std::vector<double> SteeringGain::*coherence) {
+    SteeringGain out;
+    for (std::size_t i = 0; i < all.frequency.size(); ++i) {
+        if ((all.*coherence)[i] < trusted) continue;
+        out.frequency.push_back(all.frequency[i]);
+        out.yaw_rate.push_back(all.yaw_rate[i]), out.lateral_acceleration.push_back(all.lateral_acceleration[i]);
     }
+    return out;
+}
+
+// Figures and diagrams of each output by the lines that count for it; there is no steady gain in such a drive.
+void add_response(const VehicleDescription& vehicle, double speed, const SteeringGain& all, Outcome& outcome) {
+    const auto add = [&](const std::string& of, std::vector<double> SteeringGain::*coherence) {
+        const SteeringGain found = trusted_lines(all, coherence);
+        if (found.frequency.empty()) {
+            outcome.notes.push_back(fmt::format("no line of the {} has a coherence of {:g}: no figures", of, trusted));
+            return;
+        }
+        Outcome both;
+        add_gain(found, lowest_gain(found), theoretical_gain(vehicle, speed, found.frequency), both);
+        const std::string where = fmt::format("{:.3f} Hz, the lowest line that counts", found.frequency.front());
+        double ratio = 1;
+        for (Figure& figure : both.figures) {
+            if (!figure.name.starts_with(of)) continue;
+            if (figure.name == of + " gain") {
+                figure.name += " at the lowest line";
+                figure.meaning = "per angle of the steering wheel at " + where;
+            }
+            if (const auto at = figure.meaning.find("the steady one"); at != std::string::npos) {
+                figure.meaning = figure.meaning.substr(0, at) + "that at " + where;
+            }
+            ratio = figure.name == of + " peak ratio" ? figure.value : ratio;
+            if (figure.name == of + " peak frequency" && ratio < visible) {
+                figure.value = std::numeric_limits<double>::quiet_NaN();
+                figure.meaning = "no gain is as much as 1 percent above that at " + where;
+            }
+            outcome.figures.push_back(std::move(figure));
+        }
+        for (io::Chart& chart : both.charts) {
+            if (chart.title.starts_with(of)) outcome.charts.push_back(std::move(chart));
+        }
+    };
+    add("yaw rate", &SteeringGain::yaw_coherence);
+    add("lateral acceleration", &SteeringGain::lateral_coherence);
+    outcome.charts.push_back(
+        {.title = "coherence",
+         .x_label = "frequency [Hz]",
+         .y_label = "coherence [1]",
+         .curves = {{.label = "yaw rate", .x = all.frequency, .y = all.yaw_coherence},
+                    {.label = "lateral acceleration", .x = all.frequency, .y = all.lateral_coherence}},
+         .horizontal_marks = {{trusted, "below, a line does not count"}}});
+}
+
+Verdict coherent(const SteeringGain& all, double highest) {
     constexpr double good = 0.95;
+    const double up_to = std::min(judged, highest);
+    double least = 1, where = first_line;
+    for (std::size_t i = 0; i < all.frequency.size() && all.frequency[i] <= up_to; ++i) {
+        if (all.yaw_coherence[i] < least) least = all.yaw_coherence[i], where = all.frequency[i];
+    }
     return {fmt::format("coherence of the yaw rate at least {:g} from {:g} to {:g} Hz", good, first_line, up_to),
-            least >= good, least > 0 ? fmt::format("{:.4f}", least) : "less than 0.9"};
+            least >= good, fmt::format("{:.4f} at {:.2f} Hz", least, where)};
 }
 
 double root_mean_square(const std::vector<double>& values) {
@@ -113,13 +169,13 @@ Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, cons
     Trial trial = drive_share(vehicle, scenario, options, interval);
     if (!take_whole(outcome, trial)) return outcome;
     const History& history = trial.history;
-    const SteeringGain found = gain_of(history, highest);
-    add_gain(found, lowest_gain(found), theoretical_gain(vehicle, speed, found.frequency), outcome);
+    const SteeringGain all = gain_of(history, highest);
+    add_response(vehicle, speed, all, outcome);
     outcome.figures.push_back({"steering wheel angle", "deg", "largest", amplitude.angle / degree});
     outcome.figures.push_back(
         {"lateral acceleration", "m/s^2", "root mean square", root_mean_square(history.lateral_acceleration)});
     outcome.verdicts.push_back(speed_held(history, speed, straight_ahead - 1, straight_ahead));
-    outcome.verdicts.push_back(coherent(found, highest));
+    outcome.verdicts.push_back(coherent(all, highest));
     return outcome;
 }
 

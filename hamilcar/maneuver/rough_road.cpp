@@ -120,7 +120,7 @@ void add_charts(Outcome& outcome, const History& history, const std::vector<stra
     power.curves.push_back(density("lateral", part(history.seat_y), rate));
     power.curves.push_back(density("longitudinal", part(history.seat_x), rate));
     io::Chart seat{"Vertical acceleration on the seat", "time [s]", "acceleration [m/s^2]", {}};
-    seat.curves.push_back({"", thinned(history.time), thinned(history.seat_z)});
+    seat.curves.push_back({"not weighted", thinned(history.time), thinned(history.seat_z)});
     seat.curves.push_back({"weighted", thinned(history.time), thinned(weighted)});
     io::Chart load{"Wheel loads on the left", "x [m]", "load [N]", {}};
     for (const straight::Axle& axle : axles) {

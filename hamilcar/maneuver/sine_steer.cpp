@@ -140,14 +140,14 @@ Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, cons
     const double small = amplitude("sweep_lateral_acceleration"), angle = amplitude("lateral_acceleration");
     const std::vector<Tone> planned = tones(chosen.at("sweep_settling"));
     ScenarioDescription scenario = steered_at(vehicle, options, speed, sweep(planned, small));
-    scenario.name = "sine_steer sweep";
+    scenario.name = "sweep";
     Trial swept = drive_share(vehicle, scenario, options, interval, {0, 1 - share_of_period});
     if (!take_whole(outcome, swept)) return outcome;
     const SteeringGain found = gain_of(swept.history, planned);
     add_gain(found, lowest_gain(found), theoretical_gain(vehicle, speed, found.frequency), outcome);
     constexpr double after = 3;  // the period [s]
     scenario = steered_at(vehicle, options, speed, period(angle, frequency, after));
-    scenario.name = "sine_steer period";
+    scenario.name = "single period";
     Trial trial = drive_share(vehicle, scenario, options, interval, {1 - share_of_period, 1});
     if (!take_whole(outcome, trial)) return outcome;
     add_period(trial.history, angle, frequency, outcome);

@@ -81,11 +81,12 @@ void add_stop_figures(Outcome& outcome, const braking::Stop& stop) {
     outcome.figures.push_back(
         {"MFDD", "m/s^2", "mean fully developed deceleration, between 80 and 10 percent of the speed", stop.developed});
     outcome.figures.push_back({"largest change of heading", "deg", "on the way to standstill", stop.heading / degree});
-    outcome.figures.push_back({"farthest wheel beside the line", "m", "its middle", stop.beside});
+    outcome.figures.push_back({"farthest wheel beside the line", "m", "the middle of its outer tire", stop.beside});
 }
 
 // What the driver did with the wheel, and whether he kept the lane.
-void add_correction(Outcome& outcome, const History& history, const braking::Stop& stop) {
+void add_correction(Outcome& outcome, const VehicleDescription& vehicle, const History& history,
+                    const braking::Stop& stop) {
     const Series wheel = straight::series(history, history.steering_wheel);
     const auto soon = peak(wheel, Extreme::largest, braking::approach, braking::approach + early);
     const auto most = peak(wheel, Extreme::largest, braking::approach);
@@ -93,14 +94,13 @@ void add_correction(Outcome& outcome, const History& history, const braking::Sto
     outcome.figures.push_back(
         {"steering in the first 2 s", "deg", "largest angle of the steering wheel", in_time / degree});
     outcome.figures.push_back({"steering in all", "deg", "likewise", in_all / degree});
-    constexpr double half_tire = 0.1;  // [m]
     const auto spoken = [](double angle) { return fmt::format("{:.0f} deg", angle / degree); };
     outcome.verdicts.push_back({"steering at most 120 deg in the first 2 s (UN R13-H, with anti-lock system)",
                                 in_time <= largest_early, spoken(in_time)});
     outcome.verdicts.push_back({"steering at most 240 deg in all (UN R13-H, with anti-lock system)",
                                 in_all <= largest_steering, spoken(in_all)});
     outcome.verdicts.push_back({"all wheels within a lane 3.5 m wide",
-                                stop.beside + half_tire <= braking::lane_width / 2,
+                                stop.beside + half_tire(vehicle) <= braking::lane_width / 2,
                                 fmt::format("a wheel {:.2f} m beside the middle", stop.beside)});
 }
 
@@ -171,7 +171,7 @@ Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, cons
     const braking::Stop stop = braking::evaluated(trial.history);
     add_stop_figures(outcome, stop);
     braking::add_lock_figures(outcome, vehicle, stop);
-    if (corrects && whole) add_correction(outcome, trial.history, stop);
+    if (corrects && whole) add_correction(outcome, vehicle, trial.history, stop);
     if (std::abs(stop.heading) > spun) outcome.notes.push_back("the vehicle turned round");
     if (whole && std::isnan(stop.distance)) {
         outcome.failed = fmt::format("it did not come to a stop within {:.0f} s: {:.0f} km/h were left",

@@ -1,6 +1,7 @@
 #include "hamilcar/maneuver/steering_gain.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -57,6 +58,38 @@ void add_charts(const SteeringGain& found, const SteeringGain& theory, Outcome& 
                     {.label = "lateral acceleration", .x = found.frequency, .y = found.lateral_coherence}}});
 }
 
+// Place of the motor vehicle's center of mass, from that of its chassis: ahead and above [m].
+std::array<double, 2> center_from_chassis(const VehicleDescription& vehicle) {
+    const Point& chassis = vehicle.chassis.center_of_mass;
+    double mass = vehicle.chassis.mass, ahead = 0, above = 0;
+    const auto add = [&](const BodyDescription& body) {
+        mass += body.mass;
+        ahead += body.mass * (body.center_of_mass[0] - chassis[0]);
+        above += body.mass * (body.center_of_mass[2] - chassis[2]);
+    };
+    for (const CornerDescription& corner : vehicle.corners) add(corner.carrier);
+    for (const ComposedSpokeDescription& spoke : vehicle.composed) {
+        if (spoke.unit != 0) continue;
+        for (const ComposedBodyDescription& body : spoke.bodies) add(body.body);
+    }
+    return {ahead / mass, above / mass};
+}
+
+// The output of the linear model is the whole combination's. Of the motor vehicle alone: v_y' + v r at its center of mass, which
+// yaw and roll move against the chassis's.
+std::vector<std::complex<double>> motor_vehicle_response(const VehicleDescription& vehicle, const LinearModel& model,
+                                                         double speed, double ratio, const SteeringGain& gain,
+                                                         const std::vector<double>& angular) {
+    std::vector<std::complex<double>> out = steering_response(model, ratio, output_lateral_velocity, angular);
+    const auto roll = steering_response(model, ratio, output_roll, angular);
+    const auto [ahead, above] = center_from_chassis(vehicle);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const std::complex<double> iw(0, angular[i]);
+        out[i] = iw * out[i] + (speed + iw * ahead) * gain.yaw_rate[i] - iw * iw * above * roll[i];
+    }
+    return out;
+}
+
 }  // namespace
 
 SteeringGain theoretical_gain(const VehicleDescription& vehicle, double speed, const std::vector<double>& frequency) {
@@ -68,7 +101,9 @@ SteeringGain theoretical_gain(const VehicleDescription& vehicle, double speed, c
     SteeringGain out{.frequency = frequency};
     const std::vector<double> angular = scaled(frequency, 2 * std::numbers::pi);
     out.yaw_rate = steering_response(model, ratio, output_yaw_rate, angular);
-    out.lateral_acceleration = steering_response(model, ratio, output_lateral_acceleration, angular);
+    out.lateral_acceleration = vehicle.trailers.empty()
+                                   ? steering_response(model, ratio, output_lateral_acceleration, angular)
+                                   : motor_vehicle_response(vehicle, model, speed, ratio, out, angular);
     return out;
 }
 

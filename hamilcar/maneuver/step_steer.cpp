@@ -20,6 +20,8 @@ constexpr double interval = 0.005;  // between rows [s]
 constexpr double risen = 0.9;       // of the steady value
 constexpr double visible = 1e-3;    // overshoot below which there is no peak
 constexpr double tolerance = 0.1;   // of the wanted lateral acceleration
+constexpr double slowed = 0.1;      // of the speed before the step: a vehicle that loses more has no steady turn
+constexpr double latest = 2, latest_heavy = 4;  // that a peak answers the step, after half of it; later it drifts [s]
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Setting> settings(const VehicleDescription& vehicle) {
@@ -62,19 +64,53 @@ void add_figures(Outcome& outcome, const std::string& of, const std::string& uni
     outcome.figures.push_back({of + " overshoot", "%", "of the peak over the steady value", 100 * response.overshoot});
 }
 
-io::Chart response_chart(const History& history) {
+std::vector<io::Chart> response_charts(const History& history) {
+    const auto absolute = [&](const std::string& what, const std::string& unit, std::vector<double> y) {
+        return io::Chart{.title = what + " over time",
+                         .x_label = "time [s]",
+                         .y_label = what + " [" + unit + "]",
+                         .curves = {{.label = what, .x = history.time, .y = std::move(y)}}};
+    };
     const auto share = [&](const std::string& label, const std::vector<double>& column) {
         const double steady = mean_over(history, column, history.time.back() - window, history.time.back());
         return io::Curve{.label = label, .x = history.time, .y = scaled(column, 1 / steady)};
     };
-    return {.title = "step response",
-            .x_label = "time [s]",
-            .y_label = "of the steady value [1]",
-            .curves = {share("steering wheel angle", history.steering_wheel), share("yaw rate", history.yaw_rate),
-                       share("lateral acceleration", history.lateral_acceleration), share("roll angle", history.roll)}};
+    const io::Chart shares{
+        .title = "step response",
+        .x_label = "time [s]",
+        .y_label = "of the steady value [1]",
+        .curves = {share("steering wheel angle", history.steering_wheel), share("yaw rate", history.yaw_rate),
+                   share("lateral acceleration", history.lateral_acceleration), share("roll angle", history.roll)}};
+    return {shares, absolute("steering wheel angle", "deg", scaled(history.steering_wheel, 1 / degree)),
+            absolute("yaw rate", "deg/s", scaled(history.yaw_rate, 1 / degree)),
+            absolute("lateral acceleration", "m/s^2", history.lateral_acceleration),
+            absolute("sideslip angle", "deg", scaled(sideslip_of(history), 1 / degree))};
 }
 
-void evaluate_step(const History& history, double wanted, double tried, Outcome& outcome) {
+// What is read off is the answer to a step only if the vehicle turns steadily in the end, at the speed of the beginning.
+void add_verdicts(const History& history, double speed, double wanted, double allowed, const StepResponse& yaw,
+                  const StepResponse& lateral, Outcome& outcome) {
+    outcome.verdicts.push_back(speed_held(history, speed, straight_ahead - 1, straight_ahead));
+    const double end = history.time.back(), before = history.speed[row_at(history, straight_ahead)];
+    const double lost = 1 - mean_over(history, history.speed, end - window, end) / before;
+    outcome.verdicts.push_back(
+        {fmt::format("at most {:g} percent of the speed before the step lost in the last second", 100 * slowed),
+         lost <= slowed, fmt::format("{:.1f} percent", std::max(0.0, 100 * lost))});
+    outcome.verdicts.push_back({fmt::format("steady lateral acceleration within 10 percent of {:.3g} m/s^2", wanted),
+                                std::abs(lateral.steady / wanted - 1) <= tolerance,
+                                fmt::format("{:.3g} m/s^2", lateral.steady)});
+    const auto spoken = [](double time) {
+        return std::isnan(time) ? std::string("no peak") : fmt::format("{:.2f} s", time);
+    };
+    outcome.verdicts.push_back(
+        {fmt::format("no peak of yaw rate or lateral acceleration later than {:g} s", allowed),
+         !(yaw.peak_time > allowed || lateral.peak_time > allowed),
+         fmt::format("yaw rate {}, lateral acceleration {}", spoken(yaw.peak_time), spoken(lateral.peak_time))});
+}
+
+// `speed` [m/s] and steady lateral acceleration [m/s^2] as wanted, `allowed` for a peak to come [s]. Returns the lateral
+// acceleration that was reached.
+double evaluate_step(const History& history, double speed, double wanted, double allowed, Outcome& outcome) {
     const double end = history.time.back(), angle = history.steering_wheel.back();
     const auto half = first_crossing(series_of(history, history.steering_wheel), angle / 2, Crossing::rising);
     const double from = half.value_or(straight_ahead);
@@ -90,11 +126,9 @@ void evaluate_step(const History& history, double wanted, double tried, Outcome&
     outcome.figures.push_back({"steady sideslip", "deg", "of the center of mass", sideslip});
     outcome.figures.push_back({"TB value", "deg s", "yaw rate's peak response time times steady sideslip",
                                yaw.peak_time * std::abs(sideslip)});
-    outcome.verdicts.push_back(speed_held(history, wanted, straight_ahead - 1, straight_ahead));
-    outcome.verdicts.push_back({fmt::format("steady lateral acceleration within 10 percent of {:.3g} m/s^2", tried),
-                                std::abs(lateral.steady / tried - 1) <= tolerance,
-                                fmt::format("{:.3g} m/s^2", lateral.steady)});
-    outcome.charts.push_back(response_chart(history));
+    add_verdicts(history, speed, wanted, allowed, yaw, lateral, outcome);
+    for (io::Chart& chart : response_charts(history)) outcome.charts.push_back(std::move(chart));
+    return lateral.steady;
 }
 
 ScenarioDescription step(const VehicleDescription& vehicle, const Settings& chosen, const ManeuverOptions& options,
@@ -112,7 +146,6 @@ Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, cons
     Outcome outcome;
     const double speed = chosen.at("speed") * kilometer_per_hour, wanted = chosen.at("lateral_acceleration");
     const Amplitude amplitude = amplitude_for(vehicle, speed, wanted);
-    if (!amplitude.note.empty()) outcome.notes.push_back(amplitude.note);
     const Aim aim{.lateral_acceleration = amplitude.lateral_acceleration,
                   .scenario = [&](double angle) { return step(vehicle, chosen, options, angle); },
                   .reached =
@@ -121,7 +154,14 @@ Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, cons
                           return mean_over(history, history.lateral_acceleration, end - window, end);
                       }};
     Trial trial = drive_aimed(vehicle, aim, amplitude.angle, options, interval, outcome);
-    if (take_whole(outcome, trial)) evaluate_step(trial.history, speed, wanted, outcome);
+    std::string reached = "";
+    if (take_whole(outcome, trial)) {
+        const double allowed = is_heavy(vehicle) ? latest_heavy : latest;
+        reached = fmt::format("; the last second had {:.3g} m/s^2 at {:.3g} km/h",
+                              evaluate_step(trial.history, speed, wanted, allowed, outcome),
+                              trial.history.speed.back() / kilometer_per_hour);
+    }
+    if (!amplitude.note.empty()) outcome.notes.push_back(amplitude.note + reached);
     return outcome;
 }
 

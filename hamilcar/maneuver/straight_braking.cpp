@@ -26,6 +26,7 @@ Limits limits(bool heavy, bool engine_drives) {
     return engine_drives ? Limits{0.1, 1 / 0.0067, 5.76} : Limits{0.1, 1 / 0.0060, 6.43};
 }
 constexpr double largest_heading = 15 * degree;  // off the straight line, both regulations [rad]
+constexpr double simultaneous = 0.1;             // as good as at once, in the order of lock, both regulations [s]
 constexpr double grips = 0.8;  // friction factor from which the regulations' limits mean something [1]
 
 std::vector<Setting> settings(const VehicleDescription& vehicle) {
@@ -47,21 +48,35 @@ std::string spoken(double lock) {
     return std::isnan(lock) ? "does not lock" : fmt::format("locks after {:.3f} s", lock);
 }
 
+// When an axle is locked: with its second wheel, on one wheel the other still holds it straight [s]; NaN where that never
+// locks.
+double second_lock(const straight::Axle& axle, const braking::Stop& stop) {
+    std::vector<double> all;
+    for (const std::size_t wheel : axle.wheels) {
+        if (!std::isnan(stop.lock[wheel])) all.push_back(stop.lock[wheel]);
+    }
+    const std::size_t wanted = std::min<std::size_t>(axle.wheels.size(), 2);
+    if (all.size() < wanted) return braking::nowhere;
+    std::ranges::sort(all);
+    return all[wanted - 1];
+}
+
 // The order in which the motor vehicle's axles lock under a pedal that goes down slowly: the rear before the front one would
 // turn the vehicle round.
 void add_lock_order(Outcome& outcome, const VehicleDescription& vehicle, const braking::Stop& stop) {
     std::vector<straight::Axle> all = straight::axles(vehicle);
     std::erase_if(all, [](const straight::Axle& axle) { return axle.of_trailer; });
     if (all.size() < 2) return;
-    const double front = braking::first_lock(all.front(), stop);
+    const double front = second_lock(all.front(), stop);
     double rear = braking::nowhere;
-    for (std::size_t i = 1; i < all.size(); ++i) rear = std::fmin(rear, braking::first_lock(all[i], stop));
-    outcome.figures.push_back({"lock of the front axle, slow pedal", "s", "from the pedal", front});
+    for (std::size_t i = 1; i < all.size(); ++i) rear = std::fmin(rear, second_lock(all[i], stop));
+    outcome.figures.push_back({"lock of the front axle, slow pedal", "s", "from the pedal to its second wheel", front});
     outcome.figures.push_back({"lock of the rear axles, slow pedal", "s", "likewise", rear});
     if (straight::is_heavy(vehicle)) return;  // of these UN R13 asks something else, with an anti-lock system
     outcome.verdicts.push_back(
         {"under a slow pedal no rear axle locks before the front axle (UN R13-H annex 5, FMVSS 135 S7.2)",
-         std::isnan(rear) || front <= rear, fmt::format("front {}, rear {}", spoken(front), spoken(rear))});
+         std::isnan(rear) || front <= rear + simultaneous,
+         fmt::format("front {}, rear {}", spoken(front), spoken(rear))});
 }
 
 void add_verdicts(Outcome& outcome, const VehicleDescription& vehicle, const Settings& chosen,
@@ -82,9 +97,8 @@ void add_verdicts(Outcome& outcome, const VehicleDescription& vehicle, const Set
     }
     outcome.verdicts.push_back({"heading within 15 deg", std::abs(stop.heading) <= largest_heading,
                                 fmt::format("{:.2f} deg", stop.heading / degree)});
-    constexpr double half_tire = 0.1;  // [m]
     outcome.verdicts.push_back({"all wheels within a lane 3.5 m wide",
-                                stop.beside + half_tire <= braking::lane_width / 2,
+                                stop.beside + half_tire(vehicle) <= braking::lane_width / 2,
                                 fmt::format("a wheel {:.2f} m beside the middle", stop.beside)});
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "hamilcar/analysis/acceleration.hpp"
 #include "hamilcar/analysis/rack_force.hpp"
@@ -11,6 +12,7 @@
 #include "hamilcar/run/film.hpp"
 #include "hamilcar/run/scene.hpp"
 #include "hamilcar/run/simulation.hpp"
+#include "hamilcar/run/unit_place.hpp"
 #include "hamilcar/steering/column.hpp"
 
 namespace hamilcar {
@@ -19,18 +21,65 @@ namespace {
 
 constexpr double fallen_over = std::numbers::pi / 3;  // roll beyond which no car comes back [rad]
 
-// Motor vehicle and trailers: wheels as the forces know them.
-std::vector<const WheelForces<double>*> wheel_forces(const Sample& s) {
-    std::vector<const WheelForces<double>*> out;
+// A wheel as the forces know it.
+struct SeenWheel {
+    const WheelForces<double>* forces;
+    std::span<const TireForces<double>> tires;  // from the left to the right
+    std::size_t unit;                           // whose axes its contacts are in
+    bool is_right;
+
+    double load() const {
+        double sum = tires.front().tire.Fz;
+        for (const TireForces<double>& tire : tires.subspan(1)) sum += tire.tire.Fz;
+        return sum;
+    }
+    Vec3<double> outer_contact(const UnitPlace<double>& place) const {
+        return place.position + place.R * (is_right ? tires.back() : tires.front()).frame.point;
+    }
+};
+
+// Of motor vehicle and trailers, in the order of for_each_wheel.
+std::vector<SeenWheel> seen_wheels(const Sample& s) {
+    std::vector<SeenWheel> out;
     for (int i = 0; i < s.model.vehicle.spoke_count(); ++i) {
-        out.push_back(&s.momenta.spokes[static_cast<std::size_t>(i)].forces);
+        const WheelForces<double>& forces = s.momenta.spokes[static_cast<std::size_t>(i)].forces;
+        out.push_back({&forces, {static_cast<const TireForces<double>*>(&forces), 1}, 0, false});
     }
     for (std::size_t i = 0; i < s.model.vehicle.composed.size(); ++i) {
-        for (std::size_t w = 0; w < s.model.vehicle.composed[i].wheels.size(); ++w) {
-            out.push_back(&s.momenta.composed.spokes[i].wheels[w]);
+        const ComposedSpoke<double>& spoke = s.model.vehicle.composed[i];
+        for (std::size_t w = 0; w < spoke.wheels.size(); ++w) {
+            const ComposedWheelForces<double>& forces = s.momenta.composed.spokes[i].wheels[w];
+            const std::span tires(forces.tires.data(), static_cast<std::size_t>(spoke.wheels[w].tires));
+            out.push_back({&forces, tires, static_cast<std::size_t>(spoke.unit), spoke.wheels[w].wheel.center[1] < 0});
         }
     }
     return out;
+}
+
+// Of the motor vehicle alone, with its suspensions as they stand, in chassis axes [m].
+Vec3<double> motor_vehicle_center(const Sample& s) {
+    const Vehicle<double>& vehicle = s.model.vehicle;
+    Vec3<double> moment = vehicle.chassis_inertia.moment;
+    double mass = vehicle.chassis_inertia.mass;
+    const auto add = [&](const SpatialInertia<double>& inertia) { moment += inertia.moment, mass += inertia.mass; };
+    for (int i = 0; i < vehicle.spoke_count(); ++i) {
+        visit_spoke(vehicle, s.velocity, i, [&](const auto&, const auto&, const auto& at) { add(at.inertia); });
+    }
+    for (std::size_t i = 0; i < vehicle.composed.size(); ++i) {
+        if (vehicle.composed[i].unit != 0) continue;
+        const auto& inertia = s.velocity.composed.spokes[i].inertia;
+        for (std::size_t b = 0; b < vehicle.composed[i].bodies.size(); ++b) add(inertia[b]);
+    }
+    return moment / mass;
+}
+
+// Of the motor vehicle's center of mass, ground axes [m/s^2]. Alone it moves as all forces on it say; what a trailer does
+// to it through the hitch is in no external force, so its motion is looked at, as that of the chassis in that place.
+Vec3<double> acceleration_of(const Sample& s) {
+    const Vehicle<double>& vehicle = s.model.vehicle;
+    const Mat3<double>& R = s.velocity.R_GC;
+    if (vehicle.trailers.empty()) return R * Vec3<double>(s.momenta.external.head<3>()) / vehicle.total_mass;
+    return R * acceleration_at(s.model, s.state, s.input, s.velocity, s.momenta, motor_vehicle_center(s));
 }
 
 // Writes the rows of a History.
@@ -60,10 +109,10 @@ private:
         history_.yaw_rate.push_back(senses.yaw_rate);
         history_.roll.push_back(senses.roll);
         history_.pitch.push_back(-std::asin(std::clamp(R(2, 0), -1.0, 1.0)));
-        const Vec3<double> F = R * Vec3<double>(s.momenta.external.head<3>()) / s.model.vehicle.total_mass;
+        const Vec3<double> a = acceleration_of(s);
         const double c = std::cos(senses.yaw), d = std::sin(senses.yaw);
-        history_.longitudinal_acceleration.push_back(c * F[0] + d * F[1]);
-        history_.lateral_acceleration.push_back(c * F[1] - d * F[0]);
+        history_.longitudinal_acceleration.push_back(c * a[0] + d * a[1]);
+        history_.lateral_acceleration.push_back(c * a[1] - d * a[0]);
     }
 
     void add_controls(const Sample& s) {
@@ -78,18 +127,17 @@ private:
     }
 
     void add_wheels(const Sample& s) {
-        const auto forces = wheel_forces(s);
-        const std::size_t n = forces.size();
+        const auto wheels = seen_wheels(s);
+        const std::size_t n = wheels.size();
         for (auto* rows : {&history_.wheel_load, &history_.wheel_speed, &history_.wheel_x, &history_.wheel_y}) {
             rows->resize(n);
         }
         double torque = 0;
         for (std::size_t i = 0; i < n; ++i) {
-            const WheelForces<double>& f = *forces[i];
-            torque += f.drive_torque;
-            history_.wheel_load[i].push_back(f.tire.Fz);
-            history_.wheel_speed[i].push_back(f.spin);
-            const Vec3<double> at = Vec3<double>(s.state.position()) + s.velocity.R_GC * f.frame.point;
+            torque += wheels[i].forces->drive_torque;
+            history_.wheel_load[i].push_back(wheels[i].load());
+            history_.wheel_speed[i].push_back(wheels[i].forces->spin);
+            const Vec3<double> at = wheels[i].outer_contact(unit_place(s, wheels[i].unit));
             history_.wheel_x[i].push_back(at[0]), history_.wheel_y[i].push_back(at[1]);
         }
         history_.drive_torque.push_back(torque);
@@ -132,7 +180,7 @@ public:
 private:
     static double drive_power(const Sample& s) {
         double power = 0;
-        for (const WheelForces<double>* f : wheel_forces(s)) power += f->drive_torque * f->spin;
+        for (const SeenWheel& wheel : seen_wheels(s)) power += wheel.forces->drive_torque * wheel.forces->spin;
         return power;
     }
 
@@ -152,7 +200,9 @@ std::vector<Channel> film_channels(const VehicleDescription& vehicle) {
 }  // namespace
 
 double History::sideslip(std::size_t row) const {
-    return std::atan2(lateral_velocity[row], std::max(std::abs(speed[row]), 1e-3));
+    constexpr double slow = 3;  // [m/s]
+    const double along = speed[row], across = lateral_velocity[row];
+    return along * along + across * across < slow * slow ? 0 : std::atan2(across, along);
 }
 
 Trial drive(const VehicleDescription& vehicle, const ScenarioDescription& scenario, const TrialOptions& options) {

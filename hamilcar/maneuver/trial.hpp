@@ -19,18 +19,22 @@ struct History {
     std::vector<double> speed;      // of that point along the heading
     std::vector<double> lateral_velocity;  // of that point, to the left
     std::vector<double> yaw_rate, roll, pitch;
-    std::vector<double> longitudinal_acceleration, lateral_acceleration;  // of the whole vehicle, horizontal
+    // Of the center of mass of the motor vehicle with its wheels, horizontal, along and across the heading.
+    std::vector<double> longitudinal_acceleration, lateral_acceleration;
     // Of the chassis's center of mass, chassis axes, without gravity: where the linear model has its seat too. Only if asked for.
     std::vector<double> seat_x, seat_y, seat_z;
     std::vector<double> drive_torque;  // at all wheels together [N m]
     std::vector<double> throttle, brake, gear;
-    std::vector<double> unit_speed;                     // of the first power unit [rad/s]; empty without
-    std::vector<std::vector<double>> wheel_load;        // of every wheel, on the road [N]
-    std::vector<std::vector<double>> wheel_speed;       // turning of every wheel [rad/s]
-    std::vector<std::vector<double>> wheel_x, wheel_y;  // of every wheel's contact on the ground [m]
+    std::vector<double> unit_speed;                // of the first power unit [rad/s]; empty without
+    std::vector<std::vector<double>> wheel_load;   // of every wheel with all its tires, on the road [N]
+    std::vector<std::vector<double>> wheel_speed;  // turning of every wheel [rad/s]
+    // Of every wheel's contact on the ground; of two tires abreast the outer one's, away from its unit's middle [m].
+    std::vector<std::vector<double>> wheel_x, wheel_y;
 
     std::size_t size() const { return time.size(); }
-    double sideslip(std::size_t row) const;  // of the center of mass [rad]
+    // Of the center of mass, from the heading all around: near pi a car rolls backward. None below 3 m/s, where the angle
+    // says little [rad].
+    double sideslip(std::size_t row) const;
 };
 
 struct Trial {

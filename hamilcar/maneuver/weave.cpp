@@ -18,10 +18,11 @@ namespace hamilcar {
 
 namespace {
 
-constexpr double interval = 0.01;  // between rows [s]
-constexpr double aside = 1;        // where gains off center are read [m/s^2]
-constexpr double near = 0.25;      // about a level: of a slope's points, as a share of the amplitude [1]
-constexpr double tolerance = 0.1;  // of the wanted lateral acceleration
+constexpr double interval = 0.01;     // between rows [s]
+constexpr double past_the_end = 0.5;  // that the weave goes on, so that its last period is like the others [s]
+constexpr double aside = 1;           // where gains off center are read [m/s^2]
+constexpr double near = 0.25;         // about a level: of a slope's points, as a share of the amplitude [1]
+constexpr double tolerance = 0.1;     // of the wanted lateral acceleration
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Setting> settings(const VehicleDescription& vehicle) {
@@ -38,7 +39,7 @@ SignalDescription weaving(double angle, double frequency, double periods) {
                        ? 0
                        : angle * std::sin(2 * std::numbers::pi * frequency * (time - straight_ahead));
         },
-        straight_ahead + (1 + periods) / frequency);
+        straight_ahead + (1 + periods) / frequency + past_the_end);
 }
 
 // One output over another.
@@ -104,12 +105,14 @@ double amplitude_of(const History& history, double frequency) {
     return highest && lowest ? (highest->value - lowest->value) / 2 : none;
 }
 
-Weave weave_of(const History& history, double frequency) {
+Weave weave_of(const History& history, double frequency, double periods) {
     const std::size_t first = row_at(history, straight_ahead + 1 / frequency);
+    const std::size_t last = row_at(history, straight_ahead + (1 + periods) / frequency);
     const auto part = [&](const std::vector<double>& column, double factor) {
-        return column.size() < history.size()
-                   ? std::vector<double>()
-                   : scaled({column.begin() + static_cast<std::ptrdiff_t>(first), column.end()}, factor);
+        return column.size() < history.size() ? std::vector<double>()
+                                              : scaled({column.begin() + static_cast<std::ptrdiff_t>(first),
+                                                        column.begin() + static_cast<std::ptrdiff_t>(last)},
+                                                       factor);
     };
     return {part(history.steering_wheel, 1 / degree), part(history.lateral_acceleration, 1),
             part(history.yaw_rate, 1 / degree),       part(history.steering_torque, 1),
@@ -157,7 +160,8 @@ void add_torque(const Weave& weave, const Add& add, Outcome& outcome) {
     add("torque at 1 m/s^2", "N m", "while lateral acceleration grows",
         wide ? (by_acceleration.at(aside, true) - by_acceleration.at(-aside, false)) / 2 : none);
     add("torque dead band", "N m", "the loop's height at no lateral acceleration", by_acceleration.width(0));
-    add("returnability", "m/s^2", "the loop's width at no torque", by_torque.width(0));
+    add("returnability", "m/s^2", "lateral acceleration that is left at no torque: half the loop's width",
+        by_torque.width(0) / 2);
     outcome.charts.push_back(
         by_acceleration.chart("steering torque", "lateral acceleration [m/s^2]", "steering torque [N m]"));
     outcome.charts.push_back(
@@ -180,7 +184,7 @@ Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, cons
                   }};
     Trial trial = drive_aimed(vehicle, aim, amplitude.angle, options, interval, outcome);
     if (!take_whole(outcome, trial)) return outcome;
-    const Weave weave = weave_of(trial.history, frequency);
+    const Weave weave = weave_of(trial.history, frequency, periods);
     const Add add = [&](const std::string& name, const std::string& unit, const std::string& meaning, double value) {
         outcome.figures.push_back({name, unit, meaning, value});
     };

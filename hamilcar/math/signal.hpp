@@ -28,7 +28,7 @@ struct SignalPiece {
     }
 };
 
-// One input over time. Smooth: monotone cubic Hermite pieces (Fritsch and Carlson 1980), which never overshoot the table
+// One input over time. Smooth: monotone cubic Hermite pieces (Fritsch and Butland 1984), which never overshoot the table
 // and have a continuous first derivative. Linear: straight lines. Constant outside the table.
 class Signal {
 public:

@@ -12,6 +12,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "hamilcar/math/fourier.hpp"
 #include "hamilcar/road/road_spectrum.hpp"
 
 namespace hamilcar {

@@ -1,38 +1,15 @@
-// Welch's spectrum, its bands and the class of a road; and a Fourier transform whose bits do not depend on the machine.
+// Welch's spectrum, its bands and the class of a road.
 #include "hamilcar/road/road_spectrum.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
-#include "hamilcar/scalar/sincos.hpp"
+#include "hamilcar/math/fourier.hpp"
 
 namespace hamilcar {
 namespace {
-
-using Complex = std::complex<double>;
-
-// Written out: the operator of std::complex looks for infinities.
-Complex product(const Complex& a, const Complex& b) {
-    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
-
-// The values at `from` on, less the straight line of least squares through them, times the window.
-void windowed(const std::vector<double>& profile, std::size_t from, const std::vector<double>& window,
-              std::vector<Complex>& out) {
-    const auto size = static_cast<double>(window.size());
-    const double middle = (size - 1) / 2;
-    double mean = 0, slope = 0;
-    for (std::size_t i = 0; i < window.size(); ++i) {
-        mean += profile[from + i] / size;
-        slope += profile[from + i] * (static_cast<double>(i) - middle);
-    }
-    slope /= size * (size * size - 1) / 12;
-    for (std::size_t i = 0; i < window.size(); ++i)
-        out[i] = window[i] * (profile[from + i] - mean - slope * (static_cast<double>(i) - middle));
-}
 
 // A line of the spectrum stands for half a resolution on either side of it; a band takes its share.
 double mean_density(const Spectrum& spectrum, double low, double high) {
@@ -60,31 +37,6 @@ void add_bands(const Spectrum& spectrum, int per_octave, double low, double high
 
 }  // namespace
 
-void fourier_transform(std::vector<Complex>& values) {
-    const std::size_t size = values.size();
-    if (!std::has_single_bit(size)) throw std::length_error("a Fourier transform takes a power of two of values");
-    for (std::size_t i = 1, mirrored = 0; i < size; ++i) {  // the index with its bits in reverse order
-        std::size_t bit = size >> 1;
-        for (; (mirrored & bit) != 0; bit >>= 1) mirrored ^= bit;
-        mirrored ^= bit;
-        if (i < mirrored) std::swap(values[i], values[mirrored]);
-    }
-    std::vector<Complex> turns(size / 2);
-    for (std::size_t i = 0; i < turns.size(); ++i) {
-        const auto [s, c] = sincos(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(size));
-        turns[i] = {c, s};
-    }
-    for (std::size_t half = 1; half < size; half *= 2)
-        for (std::size_t from = 0; from < size; from += 2 * half)
-            for (std::size_t i = 0; i < half; ++i) {
-                Complex& a = values[from + i];
-                Complex& b = values[from + i + half];
-                const Complex turned = product(b, turns[i * (size / 2 / half)]);
-                b = a - turned;
-                a += turned;
-            }
-}
-
 double class_roughness(char road_class) {
     if (road_class < 'A' || road_class > 'H') throw std::invalid_argument("a road class is a letter from A to H");
     return std::ldexp(16e-6, 2 * (road_class - 'A'));
@@ -103,19 +55,13 @@ double Band::center() const {
 Spectrum spectrum(const std::vector<double>& profile, double spacing, std::size_t segment) {
     if (!std::has_single_bit(segment) || segment < 4 || segment > profile.size())
         throw std::length_error("a segment is a power of two of samples, from 4 to as many as the profile has");
-    std::vector<double> window(segment);
+    const std::vector<double> window = hann_window(segment);
     double squares = 0;
-    for (std::size_t i = 0; i < segment; ++i) {
-        const double s = sincos(std::numbers::pi * static_cast<double>(i) / static_cast<double>(segment)).sine;
-        window[i] = s * s;
-        squares += window[i] * window[i];
-    }
+    for (const double share : window) squares += share * share;
     Spectrum out{1 / (spacing * static_cast<double>(segment)), std::vector<double>(segment / 2 + 1)};
-    std::vector<Complex> values(segment);
     const std::size_t count = (profile.size() - segment) / (segment / 4) + 1;
     for (std::size_t i = 0; i < count; ++i) {
-        windowed(profile, i * (segment / 4), window, values);
-        fourier_transform(values);
+        const auto values = transformed(std::span(profile).subspan(i * (segment / 4), segment), window);
         for (std::size_t k = 0; k <= segment / 2; ++k) out.density[k] += std::norm(values[k]);
     }
     for (double& density : out.density) density *= 2 * spacing / (squares * static_cast<double>(count));

@@ -6,7 +6,6 @@
 // ends.
 #pragma once
 
-#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -51,8 +50,5 @@ Roughness fitted(const std::vector<Band>& bands);
 
 // The class of a profile sampled every `spacing` [m]: at most 0.17, over 400 or better 1000 m.
 char classify(const std::vector<double>& profile, double spacing);
-
-// The discrete Fourier transform, in place: sums of values[j] exp(+2 pi i j k / size). The size is a power of two.
-void fourier_transform(std::vector<std::complex<double>>& values);
 
 }  // namespace hamilcar

@@ -59,6 +59,7 @@ double driven_radius(const Vehicle<double>& vehicle) {
     return radius.value(0);
 }
 
+// As it grows below the command at which valves act: that is where a driver brakes most.
 double full_brake_force(const Vehicle<double>& vehicle) {
     double sum = 0;
     const auto add = [&](const auto& wheel) { sum += wheel.brake.max_torque / rolling_radius(wheel.tire); };

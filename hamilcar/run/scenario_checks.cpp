@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hamilcar/io/error.hpp"
@@ -78,7 +79,36 @@ void check_power(const ScenarioDescription& scenario, const VehicleDescription& 
     }
     for (const double gear : scenario.gear.value) check("inputs.gear", gear);
     const auto& shifting = scenario.driver.shifting;
-    if (shifting && shifting->gear) check("driver.gear", *shifting->gear);
+    if (!shifting) return;
+    if (shifting->gear) return check("driver.gear.number", *shifting->gear);
+    const int last = static_cast<int>(gearbox.ratios.size());
+    if (last == 0 || (shifting->first_gear >= 1 && shifting->first_gear <= last)) return;
+    reject_key("driver.gear.first", fmt::format(" = {}: {} has no such gear; expected one of 1 to {}",
+                                                shifting->first_gear, vehicle.name, last));
+}
+
+// A driver who steers needs a steering wheel; one who is to go needs wheels that drive, and a gear that goes forward.
+void check_driver(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
+    const DriverDescription& driver = scenario.driver;
+    if (driver.steering && vehicle.steering.rack_per_revolution <= 0) {
+        reject_key("driver.path",
+                   fmt::format(": {} has no [steering]; expected rack_m_per_revolution there", vehicle.name));
+    }
+    const auto above_zero = [](double number) { return number > 0; };
+    if (!driver.speed || std::ranges::none_of(driver.speed->speed.value, above_zero)) return;
+    if (!is_powered(scenario) && driven_share(vehicle) <= 0) {
+        reject_key("driver.speed",
+                   fmt::format(": no axle of {} is driven; expected a drive_share there", vehicle.name));
+    }
+    const auto refuse = [](const std::string& key, double gear) {
+        reject_key(key, fmt::format(" = {:g}: {} takes nobody to the wanted speed; expected a forward gear beside "
+                                    "[driver.speed]",
+                                    gear, gear < 0 ? "the reverse gear" : "neutral"));
+    };
+    const auto& shifting = driver.shifting;
+    if (shifting && shifting->gear && *shifting->gear < 1) refuse("driver.gear.number", *shifting->gear);
+    const auto& gears = scenario.gear.value;
+    if (!shifting && !gears.empty() && std::ranges::none_of(gears, above_zero)) refuse("inputs.gear", gears.front());
 }
 
 }  // namespace
@@ -86,6 +116,7 @@ void check_power(const ScenarioDescription& scenario, const VehicleDescription& 
 void check_scenario(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
     check_inputs(scenario, vehicle);
     check_power(scenario, vehicle);
+    check_driver(scenario, vehicle);
     check_posts(scenario, vehicle);
     check_rack(scenario, vehicle.steering);
 }

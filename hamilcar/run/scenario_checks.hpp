@@ -11,8 +11,8 @@ namespace hamilcar {
 // A mistake at a key of the scenario; the message goes on after the key's name. Throws io::Error(bad_file).
 [[noreturn]] void reject_key(const std::string& key, const std::string& message);
 
-// Throws io::Error(bad_file) for an input that nothing in the vehicle listens to, a gear that it does not have, a rack beyond
-// its stops, a post under no wheel.
+// Throws io::Error(bad_file) for an input that nothing in the vehicle listens to, a gear that it does not have, a driver who
+// cannot drive it, a rack beyond its stops, a post under no wheel.
 void check_scenario(const ScenarioDescription& scenario, const VehicleDescription& vehicle);
 
 // The vehicle as the scenario drives it: checked, and without power units where nobody uses them (is_powered).

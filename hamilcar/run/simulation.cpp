@@ -102,14 +102,15 @@ void Simulation::start() {
 // His first decision comes before the run: the gear that is in is the one that the engine turns with.
 void Simulation::start_driver() {
     car_ = hamilcar::driven_car(vehicle_, model_, state_);
-    const DriverDescription& described = scenario_.driver;
+    DriverDescription described = scenario_.driver;
+    steps_per_decision_ = std::max(1L, std::lround(described.interval / integrator_.step()));
+    described.interval = static_cast<double>(steps_per_decision_) * integrator_.step();
     try {
         driver_.emplace(described, car_, Column(vehicle_.steering));
     } catch (const std::invalid_argument& mistake) {
         reject_key("driver", fmt::format(": {}", mistake.what()));
     }
     if (!driver_->acts()) return driver_.reset();
-    steps_per_decision_ = std::max(1L, std::lround(described.interval / integrator_.step()));
     driver_->begin(schedule_);
     for (int round = 0; round < 2; ++round) {  // a gear is chosen by speeds that a gear gives
         driver_->act(senses(), schedule_);

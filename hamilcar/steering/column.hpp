@@ -9,7 +9,7 @@
 namespace hamilcar {
 
 // Rack displacement as an odd function of the steering wheel's angle, with a continuous slope: through the points of a table
-// by monotone cubics (Fritsch and Carlson 1980), straight beyond them.
+// by monotone cubics (Fritsch and Butland 1984), straight beyond them.
 class Column {
 public:
     Column() = default;

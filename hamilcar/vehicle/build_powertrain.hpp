@@ -48,10 +48,10 @@ inline double reduced(double a, double b) {
 
 template <class T>
 Differential<T> make_differential(const VehicleDescription& d, const std::vector<double>& wheel_inertia,
-                                  const DifferentialDescription& one, double damping_ratio, std::vector<int>& driven) {
+                                  const DifferentialDescription& one, std::vector<int>& driven) {
     const Hanging a = hanging_on(d, wheel_inertia, one.outputs[0]), b = hanging_on(d, wheel_inertia, one.outputs[1]);
     const double compliance = 2 / one.shaft_stiffness + a.compliance + b.compliance;
-    const double damping = 2 * damping_ratio * std::sqrt(reduced(a.inertia, b.inertia) / compliance);
+    const double damping = 2 * one.damping_ratio * std::sqrt(reduced(a.inertia, b.inertia) / compliance);
     const double preload = one.kind == DifferentialKind::locked ? never_slips : one.preload;
     Differential<T> out{.ratio = T(one.ratio),
                         .share = T(one.share),
@@ -86,6 +86,7 @@ Gears<T> make_gears(const PowerUnitDescription& unit, const Hanging& behind) {
         gears.ratio.push_back(T(ratio));
         gears.stiffness.push_back(T(stiffness));
         gears.damping.push_back(T(2 * unit.damping_ratio * std::sqrt(stiffness * inertia)));
+        gears.viscosity.push_back(T(squared > 0 ? Gears<T>::loss_rate * behind.inertia / squared : 0));
         gears.connected.push_back(T(ratio != 0 ? 1 : 0));
     }
     return gears;
@@ -135,8 +136,7 @@ Powertrain<T> make_powertrain(const VehicleDescription& d) {
     Powertrain<T> out;
     if (d.power_units.empty()) return out;
     for (const DifferentialDescription& differential : d.differentials) {
-        out.differentials.push_back(detail::make_differential<T>(d, wheel_inertia, differential,
-                                                                 d.power_units.front().damping_ratio, out.wheels));
+        out.differentials.push_back(detail::make_differential<T>(d, wheel_inertia, differential, out.wheels));
     }
     for (const PowerUnitDescription& unit : d.power_units) {
         out.units.push_back(detail::make_unit<T>(d, wheel_inertia, unit));

@@ -17,6 +17,7 @@ ScenarioDescription driven(int i) {
     s.driver.shifting.emplace();
     if (i % 2 == 1) s.driver.shifting->gear = 2;
     if (i == 2) s.driver.interval = 0.01;
+    if (i == 3) s.driver.interval = 0.0034;  // not of whole steps
     return s;
 }
 

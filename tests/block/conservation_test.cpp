@@ -104,7 +104,7 @@ TEST(Energy, AdaptiveMethodHoldsItsTolerance) {
 TEST(Momentum, StaysWithoutExternalForces) {
     VehicleDescription car = test::paper_car();
     car.gravity = 0;
-    car.aerodynamics.drag_area = 0;
+    car.aerodynamics = {};
     for (const ChassisChart chart : {ChassisChart::quaternion, ChassisChart::bryant}) {
         Model<double> model = test::make_model(car);
         model.chart = chart;

@@ -31,7 +31,7 @@ Spatial<double> momentum_of(const Simulation& car) {
 Simulation floating(const Vec3<double>& turning, double gear) {
     VehicleDescription car = test::shipped_car();
     car.gravity = 0;
-    car.aerodynamics.drag_area = 0;
+    car.aerodynamics = {};
     ScenarioDescription s = powered(1.5, 0, gear);
     s.initial.settle = false, s.initial.height = 50;
     s.initial.angular_velocity = {turning[0], turning[1], turning[2]};
@@ -90,6 +90,43 @@ TEST_P(Books, CloseToTheIntegrationsOrder) {
 INSTANTIATE_TEST_SUITE_P(Vehicles, Books,
                          testing::Values("bmw_323i", "hatchback", "offroader", "pickup", "truck_semitrailer",
                                          "electric_hatchback"));
+
+// Held on the brake with throttle in first gear: nothing turns, and nothing trembles either.
+struct HeldCar {
+    const char* name;
+    std::vector<double> pedals;  // that the brakes hold
+};
+class Stall : public testing::TestWithParam<HeldCar> {};
+
+TEST_P(Stall, StandsStillUnderLoad) {
+    const VehicleDescription car =
+        io::read_vehicle(test::source_path(std::string("vehicles/") + GetParam().name + ".toml"));
+    for (const double pedal : GetParam().pedals) {
+        ScenarioDescription s = powered(3, 0, 1);
+        s.throttle = {{0.2, 0.6}, {0, pedal}};
+        s.brake = {{0}, {1}};
+        s.clutch = {{0}, {car.power_units.front().gearbox.automatic ? 0.0 : 0.6}};
+        Simulation run(car, s);
+        double fastest = 0, torque = 0;
+        while (!run.finished()) {
+            ASSERT_FALSE(run.advance());
+            if (run.time() < 2) continue;
+            const Sample at = run.sample();
+            fastest = std::max(fastest, std::abs(at.momenta.powertrain.units[0].shaft_speed));
+            torque = at.momenta.powertrain.units[0].out;
+        }
+        const Sample end = run.sample();
+        EXPECT_GT(torque, 10) << "the wheels are pushed";
+        EXPECT_LT(fastest, 0.2) << "of the gearbox's input [rad/s], pedal " << pedal;
+        const double supplied = end.model.vehicle.powertrain.supplied(end.state.values.data());
+        EXPECT_NEAR(end.energy.balance(), run.initial_energy_balance(), 1e-3 * std::abs(supplied) + 1);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Vehicles, Stall,
+                         testing::Values(HeldCar{"bmw_323i", {0.3, 1}}, HeldCar{"offroader", {0.3, 1}},
+                                         HeldCar{"pickup", {0.3}}, HeldCar{"electric_hatchback", {0.3, 1}}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST(Powertrain, PushesTheCarWithItsTorqueLessWhatItAcceleratesAndLoses) {
     // Second gear, full throttle, after the clutch has settled: m_effective a = ratios T efficiency / r - resistance.

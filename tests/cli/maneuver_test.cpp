@@ -63,7 +63,10 @@ TEST_F(Program, SaysWhatAVehicleCannotDo) {
     EXPECT_EQ(r.code, 3);
     EXPECT_THAT(r.err, HasSubstr("power_unit"));
     EXPECT_EQ(run("run --maneuver weave --set speed=fast").code, 2);
+    EXPECT_EQ(run("run --maneuver weave --set speed=nan").code, 2);
+    EXPECT_THAT(run("run --maneuver weave --set speed=80 --set speed=60").err, HasSubstr("each setting once"));
     EXPECT_EQ(run("run --maneuver weave --checkpoint state").code, 2);
+    EXPECT_EQ(run("run --maneuver weave --checkpoint state --checkpoint-interval 1").code, 2);
     EXPECT_EQ(run("run").code, 2);
     EXPECT_EQ(run("run " + scenario_for(car) + " --set speed=3").code, 2);
 }
@@ -83,6 +86,12 @@ TEST_F(Program, ComparesOutcomes) {
     const Outcome r = run("compare a b/outcome.json -o both.html");
     ASSERT_EQ(r.code, 0) << r.err;
     EXPECT_THAT(contents(folder_ / "both.html"), HasSubstr("speed 80 km/h"));
+    EXPECT_EQ(r.err, "");
+    std::ofstream(folder_ / "keep.json") << "{}";
+    EXPECT_EQ(run("compare a b -o keep.json").code, 2);
+    EXPECT_EQ(contents(folder_ / "keep.json"), "{}");
+    ASSERT_EQ(run("run --maneuver step_steer --vehicle " + car + " -o c").code, 0);
+    EXPECT_THAT(run("compare a b c -o both.html").err, HasSubstr("different maneuvers: a has weave, c has step_steer"));
     EXPECT_EQ(run("compare a").code, 2);
     EXPECT_EQ(run("compare a nowhere").code, 5);
     std::ofstream(folder_ / "no.json") << "{}";
@@ -109,7 +118,7 @@ TEST_F(Program, ResumesToTheSameBytes) {
     EXPECT_EQ(run("run " + scenario + " -o parts --resume nowhere").code, 5);
     const Outcome other = run("run " + scenario + " -o parts --resume state --step 5e-4");
     EXPECT_EQ(other.code, 3);
-    EXPECT_THAT(other.err, HasSubstr("another vehicle, scenario, method or step"));
+    EXPECT_THAT(other.err, HasSubstr("of another step (0.001 s)"));
 }
 
 TEST_F(Program, RecordsWhatTheEngineDoesAndRefusesGearsThatAreNotThere) {

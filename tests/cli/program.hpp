@@ -30,7 +30,7 @@ protected:
     // Runs `hamilcar` with the given words, in the test's folder.
     Outcome run(const std::string& words) const {
         const std::string command =
-            "cd '" + folder_.string() + "' && '" + HAMILCAR_PROGRAM + "' " + words + " >out.txt 2>err.txt";
+            "cd '" + folder_.string() + "' && '" + test::program_path() + "' " + words + " >out.txt 2>err.txt";
         const int status = std::system(command.c_str());
         return {WEXITSTATUS(status), contents(folder_ / "out.txt"), contents(folder_ / "err.txt")};
     }

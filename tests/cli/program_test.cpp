@@ -96,7 +96,7 @@ TEST_F(Program, KeepsWhatWasWrittenWhenItIsInterrupted) {
     if (child == 0) {
         if (chdir(folder_.c_str()) != 0 || !freopen("/dev/null", "w", stdout) || !freopen("err.txt", "w", stderr))
             _exit(99);
-        execl(HAMILCAR_PROGRAM, "hamilcar", "run", scenario.c_str(), "-o", "results", nullptr);
+        execl(test::program_path().c_str(), "hamilcar", "run", scenario.c_str(), "-o", "results", nullptr);
         _exit(99);
     }
     const fs::path csv = folder_ / "results/results.csv";
@@ -211,7 +211,7 @@ TEST_F(Program, SaysThatTheDiskIsFullAndKeepsWhatIsThere) {
     const Outcome r = run("run " + scenario + " -o results");  // measure, then run again with too little room
     ASSERT_EQ(r.code, 0);
     const std::string limited =
-        "sh -c \"trap '' XFSZ; ulimit -f 100; '" + std::string(HAMILCAR_PROGRAM) + "' run " + scenario + " -o full\"";
+        "sh -c \"trap '' XFSZ; ulimit -f 100; '" + test::program_path() + "' run " + scenario + " -o full\"";
     const int status = std::system(("cd '" + folder_.string() + "' && " + limited + " >out.txt 2>err.txt").c_str());
     EXPECT_EQ(WEXITSTATUS(status), 5) << contents(folder_ / "err.txt");
     EXPECT_THAT(contents(folder_ / "err.txt"), HasSubstr("full/results.csv: cannot write row at t ="));

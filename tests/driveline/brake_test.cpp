@@ -46,6 +46,19 @@ TEST(Brake, HoldsBelowItsLimitLikeATorsionSpring) {
     }
 }
 
+// A line through the origin, then one that is flatter: the torque of a rear axle behind a valve.
+TEST(Brake, ValveHoldsBackFromItsCommandOn) {
+    BrakeDescription rear{800, 20e3, 130};
+    rear.valve_command = 0.4, rear.valve_slope = 0.25;
+    const Brake<double> behind(rear);
+    for (const auto& [command, torque] :
+         {std::pair{0.0, 0.0}, {0.2, 160.0}, {0.4, 320.0}, {0.6, 360.0}, {1.0, 440.0}}) {
+        EXPECT_NEAR(behind.limit(command), torque, 1e-12) << command;
+        EXPECT_NEAR(behind.evaluate(command, 30, 1).torque, -torque, 1e-12) << command;
+    }
+    for (const double command : {0.0, 0.3, 0.7, 1.0}) EXPECT_EQ(brake.limit(command), command * 1650) << "no valve";
+}
+
 TEST(Brake, SlipsWithExactlyItsLimitAgainstTheSpin) {
     for (const double spin : {80.0, 0.5, -0.5, -80.0}) {
         for (const double command : {1.0, 0.2}) {

@@ -157,12 +157,20 @@ TEST(Differential, SharesTorqueAndLocksAsItsKindSays) {
     EXPECT_NEAR(slipping.lock, 20 + 0.125 * 300, 1e-9);
     EXPECT_NEAR(slipping.a + slipping.b, 300, 1e-9);
     EXPECT_GT(slipping.b, slipping.a) << "the slower wheel gets more";
+    rear.locking_coast = 0.05;
+    EXPECT_NEAR(made().evaluate(-100, 30, 20, 1.0).lock, 20 + 0.05 * 300, 1e-9) << "braking";
+    EXPECT_NEAR(made().evaluate(-100, -30, -40, 1.0).lock, 20 + 0.05 * 300, 1e-9)
+        << "driving backward presses on the same ramps as braking";
     rear.kind = DifferentialKind::locked;
     const auto locked = made().evaluate(0, 0, 0, 0.01);
     EXPECT_NEAR(locked.lock, 0.01 * 5000 / 2, 1e-9) << "two shafts in series";
     rear = {.name = "rear", .kind = DifferentialKind::viscous, .ratio = 3, .viscosity = 8};
     rear.outputs = {{{true, 0}, {true, 1}}}, rear.shaft_stiffness = 5000;
-    EXPECT_NEAR(made().evaluate(0, 30, 20, 0).lock, 80, 1e-12);
+    const auto viscous = made();
+    double windup = 0;
+    for (int i = 0; i < 2000; ++i) windup += 1e-3 * viscous.evaluate(0, 30, 20, windup).windup_rate;
+    EXPECT_NEAR(viscous.evaluate(0, 30, 20, windup).lock, 80, 1e-9) << "the same slip for two seconds";
+    EXPECT_EQ(viscous.evaluate(0, 25, 25, windup).lock, 0) << "no slip";
 }
 
 TEST(Powertrain, LeadsTorquesDownATreeAndSpeedsUp) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -122,6 +123,16 @@ TEST(Path, DoesNotLoseACarThatCutsAHairpin) {
     EXPECT_NEAR(station, path.length(), 0.5);
 }
 
+// Where a spline nearly stands still it has a direction all the same.
+TEST(Path, HasADirectionEverywhere) {
+    const Path hairpin({.points = {{0, 0}, {20, 0}, {0.5, 2.5}}});
+    for (double station = 0; station < hairpin.length(); station += 0.01) {
+        const PathPoint point = hairpin.at(station);
+        ASSERT_NEAR(std::hypot(point.tangent_x, point.tangent_y), 1, 1e-9) << station;
+        ASSERT_TRUE(std::isfinite(point.curvature)) << station;
+    }
+}
+
 TEST(Path, QueriesAllocateNothing) {
     const Path path(circle(40, 16));
     const test::AllocationGuard guard;
@@ -148,6 +159,29 @@ TEST(Path, TellsWhatIsWrongWithIt) {
                 testing::HasSubstr("points 3 and 1 of the path lie in one place; a closed path returns"));
     EXPECT_EQ(mistake({.points = {{0, 0}, {std::numeric_limits<double>::quiet_NaN(), 0}}}),
               "point 2 of the path is not a number");
+    EXPECT_EQ(mistake({.points = {{0, 0}, {1e12, 0}}}),
+              "point 2 of the path lies at 1e+12 m; expected within 1e+06 m of the origin");
+    EXPECT_EQ(mistake({.points = {{0, -1e200}, {1, 0}}}),
+              "point 1 of the path lies at -1e+200 m; expected within 1e+06 m of the origin");
+    EXPECT_EQ(mistake({.points = {{0, 0}, {20, 0}, {0, 0}}}), "the path turns back on itself at point 2");
+    EXPECT_EQ(mistake({.points = {{0, 0}, {10, 0}, {20, 0}, {5, 0.5}}}), "the path turns back on itself at point 3");
+    EXPECT_EQ(mistake({.points = {{0, 0}, {10, 0}, {20, 0}}, .closed = true}),
+              "the path turns back on itself at point 3");
+    PathDescription meander;
+    for (double y = 0; y < 100; y += 2) {
+        for (const double x : {-1e6, 0.0, 1e6}) meander.points.push_back({std::fmod(y, 4) == 0 ? x : -x, 1e3 * y});
+    }
+    EXPECT_THAT(mistake(meander), testing::HasSubstr("m long; expected 1e+07 m at most"));
+}
+
+TEST(Path, OfTheFarthestPointsIsSearchedSoon) {
+    const Path path({.points = {{-1e6, -1e6}, {1e6, 1e6}}});
+    const auto begin = std::chrono::steady_clock::now();
+    const PathPlace place = path.nearest_of_all(1000, 1010, 0.5);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    EXPECT_NEAR(place.station, std::sqrt(2) * (1e6 + 1005), 1e-3);
+    EXPECT_NEAR(place.offset, 5 * std::sqrt(2), 1e-6);
+    EXPECT_LT(taken.count(), 2.0);
 }
 
 }  // namespace

@@ -33,9 +33,9 @@ struct Mass {
             drive_torque = schedule.signal(Control::drive_torque).at(time).value;
             brake = schedule.signal(Control::brake).at(time).value;
             both += drive_torque > 0 && brake > 0, most_brake = std::max(most_brake, brake);
-            const double resistance = 0.2 + 3e-4 * speed * speed + 9.81 * grade;
+            const double resistance = 0.2 + 3e-4 * speed * speed;
             speed += 1e-3 * ((drive_torque / radius - brake * full_brake_force * std::tanh(speed / 0.02)) / mass -
-                             resistance * std::tanh(speed / 0.02));
+                             resistance * std::tanh(speed / 0.02) - 9.81 * grade);
             fastest = std::max(fastest, speed), slowest = std::min(slowest, speed);
         }
     }
@@ -128,6 +128,50 @@ TEST(SpeedControl, StopsAndStands) {
     EXPECT_NEAR(car.speed, 0, 0.02);
     EXPECT_GT(car.brake, 0.05);
     EXPECT_EQ(car.drive_torque, 0);
+}
+
+// From rest and out of motion, up and down; weak brakes are pressed fully.
+TEST(SpeedControl, StandsOnSlopes) {
+    for (const double grade : {-0.2, -0.1, 0.1, 0.2}) {
+        for (const double start : {-1.0, 0.0, 6.0}) {
+            Mass car{.speed = start, .grade = grade};
+            car.go({.speed = SpeedControlDescription{.speed = {{0}, {0}}}}, 15);
+            EXPECT_NEAR(car.speed, 0, 0.02) << grade << ' ' << start;
+            EXPECT_GT(car.brake * Mass::full_brake_force, Mass::mass * 9.81 * std::abs(grade)) << grade << ' ' << start;
+            EXPECT_EQ(car.drive_torque, 0);
+            EXPECT_GT(car.slowest, std::min(start, 0.0) - 0.2) << "it hardly rolls back";
+            EXPECT_LT(car.fastest, std::max(start, 0.0) + 0.2);
+        }
+    }
+}
+
+TEST(SpeedControl, LetsGoOfTheBrakeToDriveOn) {
+    Mass car{.speed = 0, .grade = -0.1};
+    car.go({.speed = SpeedControlDescription{.speed = {{0, 5, 10}, {0, 0, 8}}}}, 40);
+    EXPECT_NEAR(car.speed, 8, 0.02);
+}
+
+// Where the gearbox takes nothing along, and where the clutch slips on and on.
+TEST(SpeedControl, SaysThatItStands) {
+    for (const int gear : {-1, 0, 5}) {
+        PoweredCar car;
+        car.grade = gear == 5 ? 0.25 : 0;
+        PoweredDrive drive(car, {.speed = SpeedControlDescription{.speed = {{0}, {5}}},
+                                 .shifting = ShiftingDescription{.gear = gear}});
+        drive.go(6);
+        ASSERT_EQ(drive.driver.complaints().size(), 1u) << gear;
+        EXPECT_THAT(drive.driver.complaints()[0], testing::HasSubstr("the wanted speed of 5 m/s was ")) << gear;
+    }
+}
+
+TEST(SpeedControl, SaysThatNeutralLosesSpeed) {
+    PoweredCar car;
+    car.speed = 10;
+    PoweredDrive drive(
+        car, {.speed = SpeedControlDescription{.speed = {{0}, {10}}}, .shifting = ShiftingDescription{.gear = 0}});
+    drive.go(8);
+    ASSERT_EQ(drive.driver.complaints().size(), 1u);
+    EXPECT_THAT(drive.driver.complaints()[0], testing::HasSubstr("10 m/s was out of reach"));
 }
 
 TEST(SpeedControl, SaysWhatIsOutOfReach) {

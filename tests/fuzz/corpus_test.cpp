@@ -8,13 +8,14 @@
 #include <string>
 
 #include "fuzz/targets.hpp"
+#include "support/paths.hpp"
 
 namespace hamilcar::fuzz {
 namespace {
 
 void run_all(const std::string& name, const std::function<void(std::string_view)>& run) {
     int files = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(HAMILCAR_SOURCE_DIR "/tests/fuzz/corpus/" + name)) {
+    for (const auto& entry : std::filesystem::directory_iterator(test::source_path("tests/fuzz/corpus/" + name))) {
         std::ostringstream bytes;
         bytes << std::ifstream(entry.path(), std::ios::binary).rdbuf();
         EXPECT_NO_THROW(run(bytes.str())) << entry.path();

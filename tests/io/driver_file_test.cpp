@@ -8,6 +8,7 @@
 namespace hamilcar::io {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -106,7 +107,10 @@ TEST(DriverFile, ReadsPointsOneByOneAndFromAFile) {
                 points);
     const TemporaryFolder folder;
     for (const std::string text :
-         {"0,0\n12.5,-1", "x [m],y [m]\r\n0, 0\r\n\r\n12.5 ,-1.0\r\n", "# a line\n0,0\n12.5,-1\n"}) {
+         {"0,0\n12.5,-1", "x [m],y [m]\r\n0, 0\r\n\r\n12.5 ,-1.0\r\n", "# a line\n0,0\n12.5,-1\n",
+          "\xEF\xBB\xBF"
+          "0,0\n12.5,-1\n",
+          "\xEF\xBB\xBFx,y\n0,0\n12.5,-1\n"}) {
         folder.write("line.csv", text);
         EXPECT_THAT(driver(folder, "[driver.path]\nfile = \"line.csv\"\n").steering->path.points, points) << text;
     }
@@ -123,6 +127,12 @@ TEST(DriverFile, TellsWhereAMistakeIs) {
                 HasSubstr("a path needs at least 3 points to be closed, found 2"));
     EXPECT_THAT(mistake("[driver.path]\nx_m = [0.0, 1.0]\ny_m = [0.0, 1.0]\npreview_s = 0.01\n"),
                 HasSubstr("key 'driver.path.preview_s' = 0.01: expected a number from 0.2 to 5 [s]"));
+    EXPECT_THAT(
+        mistake("[driver.path]\nx_m = [0.0, 1e12]\ny_m = [0.0, 0.0]\n"),
+        HasSubstr("s.toml:2:7: key 'driver.path.x_m' = [0.0, 1e12]: expected a path, but point 2 of the path lies "
+                  "at 1e+12 m; expected within 1e+06 m of the origin"));
+    EXPECT_THAT(mistake("[driver.path]\nx_m = [0.0, 20.0, 0.0]\ny_m = [0.0, 0.0, 0.0]\n"),
+                HasSubstr("the path turns back on itself at point 2"));
     EXPECT_THAT(mistake("[driver.path]\nclosed = false\n"), HasSubstr("driver.path.point"));
     EXPECT_THAT(mistake("[driver.speed]\nspeed_m_per_s = -3.0\n"), HasSubstr("expected a number not below zero"));
     EXPECT_THAT(mistake("[driver.gear]\nnumber = 2.5\n"), HasSubstr("expected a whole number from -1 to 20"));
@@ -140,7 +150,12 @@ TEST(DriverFile, TellsWhatIsWrongInAFileOfPoints) {
     EXPECT_THAT(mistake(scenario, "0,0\n1,nan\n"), HasSubstr("line.csv:2"));
     EXPECT_THAT(mistake(scenario, "0,0\n1,2,3\n"), HasSubstr("line.csv:2"));
     EXPECT_THAT(mistake(scenario, ""), HasSubstr("a path needs at least 2 points, found 0"));
-    EXPECT_THAT(mistake("[driver.path]\nfile = \"none.csv\"\n"), HasSubstr("none.csv: cannot read"));
+    EXPECT_THAT(mistake(scenario, "O,0\n1,0\n2,0\n"), HasSubstr("line.csv:1: expected a point")) << "no heading";
+    EXPECT_THAT(mistake("[driver.path]\nfile = \"none.csv\"\n"),
+                AllOf(HasSubstr("s.toml:2:8: key 'driver.path.file' = \"none.csv\": expected a file that can be read"),
+                      HasSubstr("none.csv: No such file or directory")));
+    EXPECT_THAT(mistake("[driver.path]\nfile = \".\"\n"),
+                AllOf(HasSubstr("s.toml:2:8: key 'driver.path.file' = \".\""), HasSubstr("Is a directory")));
 }
 
 // The schema is made by reading without a file.

@@ -14,11 +14,12 @@
 #include <vector>
 
 #include "hamilcar/io/error.hpp"
+#include "support/paths.hpp"
 
 namespace hamilcar::io {
 
 inline std::string repository_path(const std::string& path) {
-    return std::string(HAMILCAR_SOURCE_DIR) + "/" + path;
+    return test::source_path(path);
 }
 
 inline std::string read_file(const std::string& path) {

@@ -79,8 +79,8 @@ TEST(PowertrainFile, EngineWithConverterAndAutomaticGearbox) {
     EXPECT_THAT(engine.throttle, ElementsAre(0, 0.5, 1));
     ASSERT_EQ(engine.torque.size(), 3u);
     EXPECT_THAT(engine.torque[0].torque, ElementsAre(-10, -20, -40));
-    EXPECT_THAT(engine.torque[1].torque, ElementsAre(90, 120, 60));
-    EXPECT_THAT(engine.torque[2].torque, ElementsAre(100, 200, 150));
+    EXPECT_THAT(engine.torque[1].torque, ElementsAre(90, 120, 0));
+    EXPECT_THAT(engine.torque[2].torque, ElementsAre(100, 200, 0));
     for (const TorqueCurve& curve : engine.torque) {
         EXPECT_THAT(curve.speed, Pointwise(DoubleEq(), {600 * rpm, 3000 * rpm, 6000 * rpm}));
     }

@@ -46,12 +46,12 @@ damping_ratio = 0.2
 [power_unit.engine]
 idle_rpm = 900
 speed_rpm = [600, 3000, 6000]
-full_load_N_m = [100, 200, 150]
+full_load_N_m = [100, 200, 0]
 overrun_N_m = [-10, -20, -40]
 
 [[power_unit.engine.part_load]]
 throttle = 0.5
-torque_N_m = [90, 120, 60]
+torque_N_m = [90, 120, 0]
 
 [power_unit.converter]
 speed_ratio = [0, 0.9, 1]

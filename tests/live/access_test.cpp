@@ -72,6 +72,11 @@ TEST(Access, KnowsTwoPathsAndTwoMethods) {
     }
 }
 
+TEST(Access, TellsWhoHasAnOldAddressWhatToDo) {
+    EXPECT_NE(refusal_text(403, "Forbidden").find("open the address that it has printed."), std::string::npos);
+    EXPECT_EQ(refusal_text(404, "Not Found"), "Not Found\n");
+}
+
 TEST(Secrets, AreComparedWhole) {
     EXPECT_TRUE(same_secret("abc", "abc"));
     for (const char* given : {"", "ab", "abd", "abcd", "abcabc"}) EXPECT_FALSE(same_secret(given, "abc")) << given;

@@ -96,6 +96,25 @@ TEST_F(InTheLane, EndsForWhoIsLost) {
     EXPECT_THAT(result.verdicts.back().found, testing::EndsWith(" m"));
 }
 
+// What he did not come to he has not passed; what he touched counts.
+TEST_F(InTheLane, JudgesNoConeForWhoDoesNotFinish) {
+    const auto turn_off = [](double x) { return x > -10 ? 3 * (x + 10) : 0.0; };
+    CourseResult result = drive(10, turn_off);
+    EXPECT_FALSE(result.finished);
+    EXPECT_EQ(result.passed, std::optional(false));
+    EXPECT_EQ(result.verdicts[0].passed, std::nullopt);
+    EXPECT_EQ(result.verdicts[1].passed, std::nullopt);
+    EXPECT_EQ(result.verdicts[1].found, "");
+    EXPECT_EQ(result.verdicts[2].passed, std::optional(false));
+    result = drive(10, [&](double x) { return x < 1 ? 2.0 : 3 * x; });
+    EXPECT_FALSE(result.finished);
+    EXPECT_EQ(result.verdicts[1].passed, std::optional(false));
+}
+
+TEST_F(InTheLane, TellsWhatIsJudged) {
+    EXPECT_THAT(judge.course().summary, testing::HasSubstr("no cone may be hit and no boundary crossed"));
+}
+
 TEST_F(InTheLane, EndsForACarThatCannotGoOn) {
     judge.look({.time = 0, .x = -60, .speed = 10});
     judge.give_up();
@@ -136,6 +155,7 @@ TEST(Circle, IsALapWithoutAnythingToPass) {
         circle.course.line.push_back({radius * std::sin(angle), radius * (1 - std::cos(angle))});
     }
     CourseJudge judge(circle, test::paper_car());
+    EXPECT_THAT(judge.course().summary, testing::StartsWith("One lap along the dashed line"));
     const CourseJudge::Start start = judge.start();
     EXPECT_NEAR(std::hypot(start.x, start.y - radius), radius, 1e-3);
     EXPECT_NEAR(start.yaw, -80 / radius, 1e-3);

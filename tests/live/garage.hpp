@@ -18,7 +18,6 @@ inline TestCourse gates() {
     return {.id = "gates",
             .name = "Test 1",
             .title = "Gates",
-            .summary = "Straight on.",
             .course = {.cones = {{0, 2}, {0, -2}, {20, 2}, {20, -2}},
                        .boundaries = {{{0, 2}, {20, 2}}, {{20, -2}, {0, -2}}},
                        .line = {{-30, 0}, {50, 0}}}};

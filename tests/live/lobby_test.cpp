@@ -56,9 +56,9 @@ TEST_F(InTheLobby, TheFirstPageDrivesAndTheOthersWatch) {
 TEST_F(InTheLobby, OnlyTheDriversWishesAreGranted) {
     lobby.enter(first), lobby.enter(second);
     lobby.hear(2, R"({"type":"pause","on":true})");
-    EXPECT_THAT(second.last(), HasSubstr("page 1 drives"));
+    EXPECT_THAT(second.last(), HasSubstr("Page 1 drives"));
     lobby.hear(2, R"({"type":"take"})");
-    EXPECT_THAT(second.last(), HasSubstr("page 1 drives"));
+    EXPECT_THAT(second.last(), HasSubstr("Page 1 drives"));
     const auto texts = second.texts.size();
     lobby.hear(2, R"({"type":"input","sequence":1,"device":"keys","steer":0,"throttle":1,"brake":0,"reverse":false})");
     EXPECT_EQ(second.texts.size(), texts);  // not heard, and not worth a word
@@ -75,7 +75,7 @@ TEST_F(InTheLobby, TheCarWaitsForAnotherDriverWhenItsOwnHasLeft) {
     EXPECT_TRUE(comes_to(Pause::nobody));
     EXPECT_THAT(second.last(), HasSubstr(R"("driver":0)"));
     lobby.hear(2, R"({"type":"reset"})");
-    EXPECT_THAT(second.last(), HasSubstr("take the wheel first"));
+    EXPECT_THAT(second.last(), HasSubstr("Take the wheel first."));
     lobby.hear(2, R"({"type":"take"})");
     EXPECT_THAT(second.last(), HasSubstr(R"("driver":2)"));
     EXPECT_TRUE(comes_to(Pause::none));
@@ -103,7 +103,7 @@ TEST_F(InTheLobby, EverybodyIsToldOfAnotherCarAndOneOfARefusal) {
     for (const char* unknown : {R"({"type":"load","vehicle":"boat","road":"flat","friction":1})",
                                 R"({"type":"load","vehicle":"car","road":"sea","friction":1})"}) {
         lobby.hear(1, unknown);
-        EXPECT_THAT(first.last(), HasSubstr("there is no"));
+        EXPECT_THAT(first.last(), HasSubstr("There is no"));
     }
     lobby.hear(1, R"({"type":"load","vehicle":"wreck","road":"flat","friction":1})");
     EXPECT_TRUE(comes_true([&] { return lobby.attend(), first.last().find("no wheels") != std::string::npos; }));

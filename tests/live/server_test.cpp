@@ -77,6 +77,7 @@ TEST_F(Served, IsNothingToStrangers) {
     const std::string with_token = "?token=" + server.token();
     EXPECT_THAT(get("/"), StartsWith("HTTP/1.1 403 "));
     EXPECT_THAT(get("/?token=0123"), StartsWith("HTTP/1.1 403 "));
+    EXPECT_THAT(get("/?token=0123"), HasSubstr("open the address that it has printed."));
     EXPECT_THAT(get("/" + with_token, "GET", "evil.example"), StartsWith("HTTP/1.1 403 "));
     EXPECT_THAT(get("/favicon.ico" + with_token), StartsWith("HTTP/1.1 404 "));
     EXPECT_THAT(get("/" + with_token, "POST"), StartsWith("HTTP/1.1 405 "));
@@ -93,7 +94,7 @@ TEST_F(Served, ToOneWhoDrivesAndOneWhoWatches) {
     SocketClient driver = connected(), watcher = connected();
     driver.say(R"({"type":"input","sequence":42,"device":"keys","steer":0,"throttle":1,"brake":0,"reverse":false})");
     watcher.say(R"({"type":"reset"})");
-    EXPECT_THAT(watcher.text_with("refusal"), HasSubstr("page 1 drives"));
+    EXPECT_THAT(watcher.text_with("refusal"), HasSubstr("Page 1 drives, this one watches."));
     bool felt = false;
     for (auto frame = watcher.frame(); frame && !felt; frame = watcher.frame()) {
         felt = frame->opcode == 2 && frame->payload.at(0) == 1 && frame->payload.at(16) == 42;

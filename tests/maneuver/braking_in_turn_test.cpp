@@ -1,6 +1,7 @@
 // ISO 7975: the values against closed forms for motions put together by hand, and the car against its linear theory.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hamilcar/analysis/handling.hpp"
@@ -95,6 +96,27 @@ TEST(BrakingInTurn, TurnsInUntilWheelsLock) {
     EXPECT_GT(figure(outcome, "path deviation"), 0);
     EXPECT_GT(figure(outcome, "deceleration with locked wheels"), 4);
     EXPECT_LT(std::abs(outcome.energy.gap()), 1e-3 * outcome.energy.turnover);
+}
+
+// On a slippery circle the car runs wide: the farthest deviation is the most negative one.
+TEST(BrakingInTurn, TheLargestDeviationIsTheFarthestEitherWay) {
+    ManeuverOptions options;
+    options.keep_runs = false, options.road.friction = 0.5;
+    const VehicleDescription car = test::shipped_car();
+    const Settings chosen{{"lateral_acceleration", 4}, {"least_deceleration", 4}};
+    const Outcome outcome = maneuver.drive(car, complete_settings(maneuver, car, chosen), options);
+    const auto values = [&](const std::string& title) {
+        return std::ranges::find(outcome.charts, title, &io::Chart::title)->curves.at(0).y;
+    };
+    const std::vector<double> deviation = values("Path deviation after 1 s"),
+                              ratio = values("Yaw rate ratio after 1 s");
+    ASSERT_GE(deviation.size(), 2u);
+    EXPECT_LT(std::ranges::max(deviation), 0);
+    EXPECT_EQ(figure(outcome, "largest path deviation"), std::ranges::min(deviation));
+    for (const double one : ratio) {
+        EXPECT_LE(std::abs(one - 1), std::abs(figure(outcome, "extreme yaw rate ratio") - 1));
+    }
+    EXPECT_TRUE(std::ranges::count(ratio, figure(outcome, "extreme yaw rate ratio")));
 }
 
 TEST(BrakingInTurn, SaysWhatCannotBeDriven) {

@@ -29,6 +29,27 @@ TEST(CoastDown, TakesTheTimeOfTheClosedForm) {
     EXPECT_NEAR(figure_named(outcome, "coast-down time"), expected, 0.01 * expected);
 }
 
+// A racing car with its wings loses 10 km/h in a second: all the same it is timed from the speed that was asked for.
+TEST(CoastDown, TimesAllSpeedsOfACarThatSlowsDownFast) {
+    VehicleDescription car = shipped_car();
+    car.aerodynamics.drag_area *= 8;
+    const Outcome outcome = driven_straight(coast_down(), car);
+    EXPECT_FALSE(std::isnan(figure_named(outcome, "resistance at 117.5 km/h")));
+    const io::Curve& speed = outcome.charts.at(0).curves.at(0);
+    const double lost = speed.y.front() - 120;  // before it is timed
+    EXPECT_GT(lost, 10);
+    EXPECT_LT(lost, 25);
+    const double time = figure_named(outcome, "coast-down time");
+    const auto at = [&](double level) {
+        std::size_t i = 1;
+        while (speed.y[i] > level) ++i;
+        return speed.x[i - 1] +
+               (speed.y[i - 1] - level) / (speed.y[i - 1] - speed.y[i]) * (speed.x[i] - speed.x[i - 1]);
+    };
+    EXPECT_NEAR(time, at(20) - at(120), 0.05);
+    EXPECT_TRUE(outcome.notes.empty());
+}
+
 TEST(CoastDown, RefusesAndStops) {
     expect_bad_settings(coast_down(), {{"from", 60}, {"to", 50}});
     expect_bad_settings(coast_down(), {{"to", 500}});

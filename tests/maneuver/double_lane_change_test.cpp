@@ -110,6 +110,25 @@ TEST(DoubleLaneChange, FailsAtASpeedThatTiresCannotHold) {
     EXPECT_FALSE(outcome.passed());
 }
 
+// A car that cannot hold the speed up to the first cones has not driven the course at it, whether or not cones fell. The
+// racing car's gears end below 120 km/h.
+TEST(DoubleLaneChange, ASpeedThatIsOnlyAskedForIsNotDriven) {
+    const VehicleDescription car = io::read_vehicle(test::source_path("vehicles/formula.toml"));
+    const Settings chosen{{"speed", 140}, {"search", 1}, {"attempts", 1}};
+    const Outcome outcome = maneuver.drive(car, complete_settings(maneuver, car, chosen), quiet());
+    EXPECT_LT(figure(outcome, "entry speed"), 137);
+    ASSERT_EQ(outcome.verdicts.size(), 2u);
+    EXPECT_FALSE(outcome.verdicts[0].passed);
+    const double highest = figure(outcome, "highest clean entry speed");
+    EXPECT_GT(highest, 60);
+    EXPECT_LT(highest, 120);
+    const auto told = [&](const std::string& words) {
+        return std::ranges::any_of(outcome.notes,
+                                   [&](const std::string& note) { return note.find(words) != std::string::npos; });
+    };
+    EXPECT_TRUE(told("no run of that speed"));
+}
+
 TEST(DoubleLaneChange, StopsWhenTold) {
     ManeuverOptions options = quiet();
     options.keep_going = [](double done) { return done < 0.05; };

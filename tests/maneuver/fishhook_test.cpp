@@ -2,6 +2,9 @@
 // the roof.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/maneuver/catalog.hpp"
 #include "hamilcar/maneuver/fishhook_run.hpp"
@@ -52,6 +55,75 @@ TEST(Fishhook, TwoWheelLiftIsBothWheelsOfASide) {
     fishhook_run::evaluate(car, made(0, 0), both);
     EXPECT_TRUE(both.tips);
     EXPECT_NEAR(both.lifted, 0.3, 1e-9);
+}
+
+// Roll a (1 - exp(-t / T)) has the rate a / T exp(-t / T).
+TEST(Fishhook, WaitsUntilTheRollRateHasDiedAway) {
+    const double reached = 1.2, settling = 0.3, roll = 5;  // [s], [s], [deg]
+    const auto history = [&](double side) {
+        History h;
+        for (int i = 0; i <= 600; ++i) {
+            const double t = 0.005 * i;
+            h.time.push_back(t);
+            h.roll.push_back(side * roll * degree * (t < 1 ? 0 : 1 - std::exp(-(t - 1) / settling)));
+        }
+        return h;
+    };
+    const double expected = 1 - reached + settling * std::log(roll / settling / 1.5);
+    ASSERT_GT(expected, 0.3);
+    for (const double side : {1.0, -1.0}) {
+        EXPECT_NEAR(fishhook_run::calm_after(history(side), reached), expected, 0.006);
+    }
+    History rolling = history(1);  // without an end
+    for (std::size_t i = 0; i < rolling.size(); ++i) rolling.roll[i] = 2 * degree * rolling.time[i];
+    EXPECT_EQ(fishhook_run::calm_after(rolling, reached), 1.5);
+}
+
+// A spike of one row is the instrument's, not the vehicle's; what lasts is.
+TEST(Fishhook, LateralAccelerationIsSmoothed) {
+    const VehicleDescription car = test::shipped_car();
+    Trial trial = made(3000, 3000);
+    for (double& a : trial.history.lateral_acceleration) a = 6;
+    trial.history.lateral_acceleration[100] = 60;
+    fishhook_run::Run run{.speed = 56, .side = 1};
+    fishhook_run::evaluate(car, trial, run);
+    EXPECT_GT(run.lateral_acceleration, 6);
+    EXPECT_LT(run.lateral_acceleration, 10);
+}
+
+// Counter-steer begins where the car's roll rate has died away, and not before.
+TEST(Fishhook, FeedbackIsWhatTheWheelFollows) {
+    const Outcome outcome = outcome_of(test::shipped_car(), {{"speed", 56}});
+    const double dwell = figure(outcome, "dwell");
+    EXPECT_GT(std::abs(dwell - fishhook_run::fixed_dwell), 0.01);
+    const auto curve = [&](const std::string& title) {
+        return std::ranges::find(outcome.charts, "Last run, 56 km/h: " + title, &io::Chart::title)->curves.at(0);
+    };
+    const io::Curve wheel = curve("steering wheel"), roll = curve("roll");
+    const double held = 0.999 * figure(outcome, "steering wheel angle");
+    std::size_t first = 0, last = 0;  // rows at the first angle
+    for (std::size_t i = 0; i < wheel.x.size() && wheel.x[i] < 1 + 2.5; ++i) {
+        if (std::abs(wheel.y[i]) < held || wheel.y[i] * wheel.y[first > 0 ? first : i] < 0) continue;
+        first = first > 0 ? first : i, last = i;
+    }
+    EXPECT_NEAR(wheel.x[last] - wheel.x[first], dwell, 0.02);
+    const auto rate = [&](std::size_t i) {
+        return (std::abs(roll.y[i]) - std::abs(roll.y[i - 1])) / (roll.x[i] - roll.x[i - 1]);
+    };
+    EXPECT_LT(rate(last), 1.7);
+    for (std::size_t i = first + 2; i + 3 < last; ++i) EXPECT_GT(rate(i), 1.5) << roll.x[i];
+}
+
+TEST(Fishhook, HeavyVehiclesAreDrivenWithANote) {
+    const auto noted = [](double more) {
+        VehicleDescription car = test::shipped_car();
+        car.chassis.mass += more;
+        const Outcome outcome = outcome_of(car, {{"speed", 20}, {"least_speed", 20}, {"feedback", 0}});
+        return std::ranges::any_of(outcome.notes,
+                                   [](const std::string& note) { return note.find("4536") != std::string::npos; });
+    };
+    EXPECT_FALSE(noted(0));
+    EXPECT_TRUE(noted(3600));
 }
 
 TEST(Fishhook, TheLowCarStaysOnItsWheels) {

@@ -36,6 +36,9 @@ Settings coarse(const Maneuver& maneuver, const VehicleDescription& vehicle) {
     return chosen;
 }
 
+// What shipped vehicles cannot drive to its end: vehicle, maneuver. Nothing else may fail.
+const std::set<std::pair<std::string, std::string>> expected_failures{};
+
 class Fleet : public testing::TestWithParam<std::string> {};
 
 TEST_P(Fleet, DrivesEveryManeuver) {
@@ -57,6 +60,8 @@ TEST_P(Fleet, DrivesEveryManeuver) {
             EXPECT_FALSE(figure.name.empty());
         }
         for (const io::Chart& chart : outcome.charts) EXPECT_FALSE(chart.title.empty() || chart.x_label.empty());
+        EXPECT_EQ(outcome.failed.has_value(), expected_failures.contains({GetParam(), maneuver.name}))
+            << outcome.failed.value_or("was driven");
         EXPECT_FALSE(outcome.failed.value_or("driven").empty());
     }
     EXPECT_GE(driven, GetParam().find("paper") != std::string::npos ? 15 : 19);

@@ -11,14 +11,38 @@ TEST(RandomSteer, IsLinearTheorysInTheSmall) {
     EXPECT_TRUE(outcome.passed());
     test::expect_linear_response(outcome, 0.2, 3, 0.02);
     const SteadyHandling handling = steady_handling(car, 80 * kilometer_per_hour);
-    test::expect_share(test::figure(outcome, "yaw rate gain"), handling.yaw_rate_gain * handling.rack_per_angle, 0.02,
-                       "steady gain");
+    test::expect_share(test::figure(outcome, "yaw rate gain at the lowest line"),
+                       handling.yaw_rate_gain * handling.rack_per_angle, 0.02, "steady gain");
 }
 
-// Hardly any of what the car does on ice is in proportion to its steering.
+// Hardly any of what the car does on ice is in proportion to its steering: the less friction, the less coherent.
 TEST(RandomSteer, FailsOnIce) {
-    EXPECT_FALSE(test::driven(random_steer(), test::shipped_car(), {{"duration", 60}}, 0.05).passed());
-    EXPECT_TRUE(test::driven(random_steer(), test::shipped_car(), {{"duration", 60}}).passed());
+    const auto coherent = [](double friction) {
+        const Outcome outcome = test::driven(random_steer(), test::shipped_car(), {}, friction);
+        return outcome.verdicts.at(1).passed;
+    };
+    EXPECT_FALSE(coherent(0.05));
+    EXPECT_FALSE(coherent(0.1));
+    EXPECT_TRUE(coherent(0.4));
+    EXPECT_TRUE(coherent(1));
+}
+
+// What is read off depends on how long it lasts only as far as lines lie apart, wherever the curve has a peak at all.
+TEST(RandomSteer, TheDurationChangesLittle) {
+    const Settings chosen{{"speed", 130}, {"lateral_acceleration", 1}};
+    Settings shorter = chosen, longer = chosen;
+    shorter["duration"] = 60, longer["duration"] = 200;
+    const Outcome brief = test::driven(random_steer(), test::shipped_car(), shorter),
+                  lasting = test::driven(random_steer(), test::shipped_car(), longer);
+    constexpr double resolution = 100.0 / 2048;  // [Hz]
+    EXPECT_GT(test::figure(brief, "yaw rate peak ratio"), 1.05);
+    EXPECT_NEAR(test::figure(brief, "yaw rate peak frequency"), test::figure(lasting, "yaw rate peak frequency"),
+                resolution + 1e-9);
+    const io::Curve& gain = test::curve(lasting, "yaw rate gain");
+    EXPECT_NEAR(gain.x.at(0), 0.195, 0.001);
+    EXPECT_NEAR(gain.x.at(1) - gain.x.at(0), resolution, 1e-6);
+    test::expect_share(test::figure(brief, "yaw rate gain at the lowest line"),
+                       test::figure(lasting, "yaw rate gain at the lowest line"), 0.01, "gain");
 }
 
 TEST(RandomSteer, MindsItsSettings) {

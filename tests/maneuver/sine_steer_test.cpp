@@ -15,6 +15,14 @@ TEST(SineSteer, IsLinearTheorysInTheSmall) {
                        "steady gain");
 }
 
+// The motor vehicle's own acceleration, which a trailer pulls at, in the drive and in theory.
+TEST(SineSteer, IsLinearTheorysWithATrailerToo) {
+    const Outcome outcome =
+        test::driven(sine_steer(), test::shipped("truck_semitrailer"), {{"sweep_lateral_acceleration", 0.1}});
+    ASSERT_FALSE(outcome.failed) << *outcome.failed;
+    test::expect_linear_response(outcome, 0.2, 1, 0.03);
+}
+
 // Up an eighth there is not the power to hold 180 km/h.
 TEST(SineSteer, FailsWhereTheSpeedCannotBeHeld) {
     const VehicleDescription car = test::shipped_car();

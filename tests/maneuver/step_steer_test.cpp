@@ -33,7 +33,8 @@ std::vector<double> linear_step(const VehicleDescription& car) {
 }
 
 TEST(StepSteer, IsLinearTheorysInTheSmall) {
-    const VehicleDescription car = test::shipped_car();
+    VehicleDescription car = test::shipped_car();
+    car.power_units.clear(), car.differentials.clear();  // of which linear theory knows nothing
     constexpr double small = 0.1;  // [m/s^2]
     const double angle = angle_for(car, speed, small) / degree;
     const Outcome outcome = test::driven(step_steer(), car, {{"lateral_acceleration", small}, {"rate", angle / width}});
@@ -59,6 +60,32 @@ TEST(StepSteer, FailsOnIce) {
     const Outcome outcome = test::driven(step_steer(), test::shipped_car(), {}, 0.2);
     EXPECT_FALSE(outcome.failed);
     EXPECT_FALSE(outcome.passed());
+}
+
+// Whoever loses speed in the turn has peaks that come from that, not from the step.
+TEST(StepSteer, FailsWhereTheSpeedFalls) {
+    VehicleDescription car = test::shipped_car();
+    car.aerodynamics.side_area.reset(),
+        car.aerodynamics.yaw_volume = 0;  // which would let it turn in before it slows down
+    const Outcome outcome = test::driven(step_steer(), car, {{"lateral_acceleration", 9}});
+    ASSERT_FALSE(outcome.failed);
+    ASSERT_EQ(outcome.verdicts.size(), 4u);
+    EXPECT_FALSE(outcome.verdicts[1].passed) << outcome.verdicts[1].found;
+    EXPECT_FALSE(outcome.verdicts[3].passed) << outcome.verdicts[3].found;
+    const auto reached = std::ranges::find_if(
+        outcome.notes, [](const std::string& note) { return note.find("the last second had") != std::string::npos; });
+    EXPECT_NE(reached, outcome.notes.end());
+}
+
+TEST(StepSteer, ShowsWhatWasDriven) {
+    const Outcome outcome = test::driven(step_steer(), test::shipped_car(), {});
+    EXPECT_TRUE(outcome.passed());
+    const auto last = [&](const std::string& what) { return test::curve(outcome, what + " over time").y.back(); };
+    test::expect_share(last("steering wheel angle"), test::figure(outcome, "steering wheel angle"), 1e-6, "angle");
+    test::expect_share(last("yaw rate"), test::figure(outcome, "steady yaw rate"), 0.02, "yaw rate");
+    test::expect_share(last("lateral acceleration"), test::figure(outcome, "steady lateral acceleration"), 0.02,
+                       "lateral acceleration");
+    test::expect_share(last("sideslip angle"), test::figure(outcome, "steady sideslip"), 0.02, "sideslip");
 }
 
 TEST(StepSteer, MindsItsSettings) {

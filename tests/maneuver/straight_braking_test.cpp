@@ -13,10 +13,15 @@ TEST(StraightBraking, MeanFullyDevelopedDecelerationOfAConstantOneIsItself) {
     EXPECT_NEAR(braking::mean_fully_developed({speed, rate}, {way, rate}, initial), deceleration, 1e-3);
 }
 
+VehicleDescription without_valves(VehicleDescription car) {
+    for (CornerDescription& corner : car.corners) corner.brake.valve_command = corner.brake.valve_slope = 1;
+    return car;
+}
+
 // The paper's tire has one friction, sliding or not: locked on all wheels the car slows down with a = mu g + k v^2, and stops
 // within log(1 + k v^2 / (mu g)) / (2 k). Over distance the mean of v^2 is that of its ends.
 TEST(StraightBraking, LockedWheelsSlowDownWithTheFriction) {
-    const VehicleDescription car = paper_car();
+    const VehicleDescription car = without_valves(paper_car());
     const double drag = 0.5 * 1.2 * 0.703 / 1150;  // k [1/m]
     for (const double friction : {1.0, 0.4}) {
         const Outcome outcome = driven_straight(straight_braking(), car, {{"friction", friction}});
@@ -54,10 +59,39 @@ TEST(StraightBraking, TheBalanceOfTheBrakesDecidesWhichAxleLocksFirst) {
         EXPECT_TRUE(verdict);
         return verdict && !verdict->passed;
     };
-    VehicleDescription car = shipped_car();  // 34 percent at the rear, of which there are 24 of the load at 1 g
+    EXPECT_FALSE(rear_first(shipped_car())) << "behind their valve";
+    VehicleDescription car = without_valves(shipped_car());  // 34 percent behind, where 24 of the load are at 1 g
     EXPECT_TRUE(rear_first(car));
     for (CornerDescription& corner : car.corners) corner.brake.max_torque = corner.wheel.center[0] > -1 ? 2050 : 450;
     EXPECT_FALSE(rear_first(car));  // 18 percent
+}
+
+// An axle counts with its second wheel, and what comes within a tenth of a second comes at once.
+TEST(StraightBraking, OneLockedRearWheelIsNotALockedAxle) {
+    const auto verdict_of = [](double front, double rear_left, double rear_right) {
+        VehicleDescription car = without_valves(shipped_car());
+        for (CornerDescription& corner : car.corners) {
+            const Point& at = corner.wheel.center;
+            corner.brake.max_torque = at[0] > -1 ? front : at[1] > 0 ? rear_left : rear_right;
+        }
+        const Outcome outcome = driven_straight(straight_braking(), car);
+        const double difference = figure_named(outcome, "lock of the rear axles, slow pedal") -
+                                  figure_named(outcome, "lock of the front axle, slow pedal");
+        const Verdict* verdict = verdict_about(outcome, "slow pedal");
+        return std::pair(difference, verdict && verdict->passed);
+    };
+    const auto [behind, passes] = verdict_of(2050, 1200, 450);
+    EXPECT_TRUE(std::isnan(behind) || behind > 0);
+    EXPECT_TRUE(passes);
+    // Ever more torque behind: a little before the front axle is as good as at once, much before is not.
+    int at_once = 0, before = 0;
+    for (const double rear : {600, 650, 700, 750, 800, 900, 1000, 1200}) {
+        const auto [difference, passed] = verdict_of(2050, rear, rear);
+        EXPECT_EQ(passed, std::isnan(difference) || difference >= -0.1) << rear;
+        at_once += passed && difference < 0, before += !passed;
+    }
+    EXPECT_GT(at_once, 0);
+    EXPECT_GT(before, 0);
 }
 
 TEST(StraightBraking, RefusesAndStops) {

@@ -26,6 +26,21 @@ TEST(Weave, IsAnEllipseInTheSmall) {
     test::expect_share(test::figure(outcome, "lateral acceleration lag"), -phase / w, 0.02, "lag");
 }
 
+// Norman's returnability is one intercept of the loop of torque over lateral acceleration, read here off the diagram.
+TEST(Weave, ReturnabilityIsTheLateralAccelerationLeftAtNoTorque) {
+    const Outcome outcome = test::driven(weave(), test::shipped_car(), {{"periods", 1}});
+    const io::Curve& loop = test::curve(outcome, "steering torque");
+    double sum = 0, count = 0;
+    for (std::size_t i = 1; i < loop.x.size(); ++i) {
+        if ((loop.y[i - 1] < 0) == (loop.y[i] < 0)) continue;
+        const double share = loop.y[i - 1] / (loop.y[i - 1] - loop.y[i]);
+        sum += std::abs(loop.x[i - 1] + share * (loop.x[i] - loop.x[i - 1])), ++count;
+    }
+    ASSERT_GE(count, 2);
+    EXPECT_GT(sum / count, 0.01);
+    test::expect_share(test::figure(outcome, "returnability"), sum / count, 0.01, "returnability");
+}
+
 TEST(Weave, FailsOnIce) {
     const Settings chosen{{"periods", 1}};
     EXPECT_FALSE(test::driven(weave(), test::shipped_car(), chosen, 0.1).passed());

@@ -87,7 +87,8 @@ void add_drive_and_brake(const CornerDescription& corner, const Inputs& inputs, 
     chassis.moment -= drive;
 
     const BrakeDescription& brake = corner.brake;
-    const double limit = inputs.brake * brake.max_torque;
+    const double command = inputs.brake, past_valve = std::max(command - brake.valve_command, 0.0);
+    const double limit = brake.max_torque * (command - (1 - brake.valve_slope) * past_valve);
     const double windup_limit = brake.windup_stiffness > 0 ? limit / brake.windup_stiffness : 0;  // 0: no brake
     const double b = motion.states.b;
     const double slowest = windup_return * windup_limit;
@@ -98,10 +99,19 @@ void add_drive_and_brake(const CornerDescription& corner, const Inputs& inputs, 
     motion.spin_torque -= std::clamp(torque, -limit, limit);
 }
 
-void add_drag(const AerodynamicsDescription& air, Body& chassis) {
+void add_air(const AerodynamicsDescription& air, Body& chassis) {
     const Vector3d center = chassis.place(to_vector(air.center));
-    const Vector3d velocity = chassis.velocity_at(center);
-    chassis.push(center, -0.5 * air.air_density * air.drag_area * velocity.norm() * velocity);
+    const Vector3d velocity = chassis.velocity_at(center), along = chassis.rotation.transpose() * velocity;
+    const double pressure = 0.5 * air.air_density * velocity.squaredNorm();
+    const double pull = 0.5 * air.air_density * velocity.norm();
+    chassis.push(center, -pull * air.drag_area * velocity);
+    const double more = air.side_area.value_or(air.drag_area) - air.drag_area;
+    chassis.push(center, chassis.rotation * Vector3d(0, -pull * more * along[1], 0));
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Vector3d place(air.lift_place[i], air.center[1], air.center[2]);
+        chassis.push(chassis.place(place), chassis.rotation * Vector3d(0, 0, pressure * air.lift_area[i]));
+    }
+    chassis.moment += chassis.rotation * Vector3d(0, 0, -pull * air.yaw_volume * along[1]);
 }
 
 }  // namespace
@@ -124,7 +134,7 @@ void add_forces(const VehicleDescription& description, const Road& road, const I
         lift(-force, left, chassis);
         lift(force, right, chassis);
     }
-    add_drag(description.aerodynamics, chassis);
+    add_air(description.aerodynamics, chassis);
 }
 
 }  // namespace hamilcar::oracle

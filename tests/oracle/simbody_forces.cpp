@@ -61,7 +61,7 @@ public:
             const double damping = parts_.description.trailers[i].yaw_damping;
             yaw.applyOneMobilityForce(state, 0, -damping * yaw.getOneU(state, 0), mobility_forces);
         }
-        add_drag(car.bodies.front());
+        add_air(car.bodies.front());
         for (const MovingBody& body : car.bodies) body.add_load(loads);
     }
 
@@ -147,7 +147,8 @@ private:
         car.bodies[wheel.drive_base].twist(-drive);
 
         const BrakeDescription& brake = wheel.description.brake;
-        const double limit = parts_.inputs.brake * brake.max_torque;
+        const double command = parts_.inputs.brake, past_valve = std::max(command - brake.valve_command, 0.0);
+        const double limit = brake.max_torque * (command - (1 - brake.valve_slope) * past_valve);
         const double windup_limit = brake.windup_stiffness > 0 ? limit / brake.windup_stiffness : 0;  // 0: no brake
         const double windup = subsystem_.getZ(state)[wheel.windup_z()];
         const double excess = windup - std::clamp(windup, -windup_limit, windup_limit);
@@ -161,11 +162,22 @@ private:
                                                               mobility_forces);
     }
 
-    void add_drag(MovingBody& chassis) const {
+    void add_air(MovingBody& chassis) const {
         const AerodynamicsDescription& air = parts_.description.aerodynamics;
         const Vec3 center = chassis.pose * to_vec3(air.center);
-        const Vec3 velocity = chassis.velocity_at(center);
-        chassis.push(center, -0.5 * air.air_density * air.drag_area * velocity.norm() * velocity);
+        const SimTK::Rotation& R = chassis.pose.R();
+        const Vec3 velocity = ~R * chassis.velocity_at(center);
+        const double speed = velocity.norm(), half = 0.5 * air.air_density;
+        const double side = air.side_area.value_or(air.drag_area);
+        chassis.push(center, R * (-half * speed *
+                                  Vec3(air.drag_area * velocity[0], side * velocity[1], air.drag_area * velocity[2])));
+        double pitch = 0;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const double lift = half * speed * speed * air.lift_area[i];
+            chassis.push(center, R * Vec3(0, 0, lift));
+            pitch -= lift * (air.lift_place[i] - air.center[0]);
+        }
+        chassis.twist(R * Vec3(0, pitch, -half * speed * air.yaw_volume * velocity[1]));
     }
 
     const Parts& parts_;

@@ -54,7 +54,7 @@ VehicleDescription force_free_car() {
         corner.brake = {0, 1, 0};
     }
     car.anti_roll_bars.clear();
-    car.aerodynamics.drag_area = 0;
+    car.aerodynamics = {};
     return car;
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "hamilcar/math/fourier.hpp"
 #include "hamilcar/road/random_road.hpp"
 #include "hamilcar/road/road_spectrum.hpp"
 #include "hamilcar/scalar/dual.hpp"

@@ -1,18 +1,20 @@
 // Going on from a file, in a simulation that was made anew, to the same bits.
 #include "hamilcar/run/checkpoint.hpp"
 
-#include <gtest/gtest.h>
-
+#include <gmock/gmock.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <tuple>
 
 #include "hamilcar/io/error.hpp"
 #include "support/car.hpp"
 
 namespace hamilcar {
 namespace {
+
+using testing::HasSubstr;
 
 class Checkpoint : public testing::Test {
 protected:
@@ -76,24 +78,78 @@ TEST_F(Checkpoint, KeepsHowTheRunWent) {
     EXPECT_FALSE(std::filesystem::exists(path() + ".part"));
 }
 
-TEST_F(Checkpoint, IsRefusedForAnotherCarScenarioOrFile) {
+std::string message_of(const std::string& path, Simulation& car, const Origin& origin = {}) {
+    try {
+        read_checkpoint(path, car, origin);
+    } catch (const io::Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST_F(Checkpoint, IsRefusedForAnotherCarOrScenario) {
     Simulation car(test::shipped_car(), driven());
     for (int i = 0; i < 100; ++i) ASSERT_FALSE(car.advance());
-    write_checkpoint(path(), car, {});
+    write_checkpoint(path(), car, {}, {.vehicle = 1, .scenario = 2});
     VehicleDescription stiffer = test::shipped_car();
     stiffer.corners[0].spring.rate *= 1.001;
-    ScenarioDescription finer = driven(), slippery = driven();
-    finer.solver.step = 5e-4, slippery.road.friction = 0.9;
-    for (Simulation other : {Simulation(stiffer, driven()), Simulation(test::shipped_car(), finer),
-                             Simulation(test::shipped_car(), slippery)}) {
-        EXPECT_THROW(read_checkpoint(path(), other), io::Error);
+    ScenarioDescription finer = driven(), slippery = driven(), other_method = driven();
+    finer.solver.step = 5e-4, slippery.road.friction = 0.9, other_method.solver.integrator = "rk4";
+    const Origin same{.vehicle = 1, .scenario = 2};
+    for (const auto& [vehicle, scenario, what] :
+         std::vector<std::tuple<VehicleDescription, ScenarioDescription, const char*>>{
+             {stiffer, driven(), "the rates are not the same"},
+             {test::shipped_car(), slippery, "the rates are not the same"},
+             {test::shipped_car(), finer, "of another step (0.001 s)"},
+             {test::shipped_car(), other_method, "of another method (ab3)"}}) {
+        Simulation other(vehicle, scenario);
+        EXPECT_THAT(message_of(path(), other, same), HasSubstr(what));
     }
-    std::filesystem::resize_file(path(), 1000);
-    EXPECT_THROW(read_checkpoint(path(), car), io::Error) << "cut off";
-    std::ofstream(path("text")) << "no checkpoint at all";
-    EXPECT_THROW(read_checkpoint(path("text"), car), io::Error);
-    EXPECT_THROW(read_checkpoint(path("missing"), car), io::Error);
+    EXPECT_THAT(message_of(path(), car, {.vehicle = 3, .scenario = 2}), HasSubstr("of another vehicle"));
+    EXPECT_THAT(message_of(path(), car, {.vehicle = 3, .scenario = 4}), HasSubstr("of another vehicle, scenario"));
+    EXPECT_EQ(message_of(path(), car, same), "");
+}
+
+TEST_F(Checkpoint, IsRefusedWhereverItIsDamaged) {
+    Simulation car(test::shipped_car(), driven());
+    for (int i = 0; i < 100; ++i) ASSERT_FALSE(car.advance());
+    write_checkpoint(path(), car, {{}, {1, 2}, {3, 4}});
+    std::ifstream file(path(), std::ios::binary);
+    const std::string whole{std::istreambuf_iterator<char>(file), {}};
+    const auto put = [&](const std::string& bytes) { std::ofstream(path("bad"), std::ios::binary) << bytes; };
+    for (std::size_t i = 0; i < whole.size(); i += i < 128 ? 1 : 997) {
+        for (const char damage : {'\x01', '\x80', '\xff'}) {
+            std::string bytes = whole;
+            bytes[i] = static_cast<char>(bytes[i] ^ damage);
+            put(bytes);
+            ASSERT_NE(message_of(path("bad"), car), "") << i;
+        }
+        put(whole.substr(0, i));
+        ASSERT_NE(message_of(path("bad"), car), "") << "cut off at " << i;
+    }
+    put(whole + "more");
+    EXPECT_THAT(message_of(path("bad"), car), HasSubstr("damaged or cut off"));
+    put("no checkpoint at all");
+    EXPECT_THAT(message_of(path("bad"), car), HasSubstr("expected a checkpoint"));
+    put("hamilcar state 1, of an earlier layout");
+    EXPECT_THAT(message_of(path("bad"), car), HasSubstr("of another version"));
+    EXPECT_NE(message_of(path("missing"), car), "");
+    EXPECT_NE(message_of(path("."), car), "");
+    put(whole);
+    EXPECT_EQ(message_of(path("bad"), car), "");
+}
+
+TEST_F(Checkpoint, TakesThePlaceOfNothingElse) {
+    Simulation car(test::shipped_car(), driven());
     EXPECT_THROW(write_checkpoint("/nowhere/at/all", car, {}), io::Error);
+    EXPECT_THROW(write_checkpoint(path("."), car, {}), io::Error);
+    std::ofstream(path("scenario.toml")) << "name = \"precious\"\n";
+    EXPECT_THROW(write_checkpoint(path("scenario.toml"), car, {}), io::Error);
+    EXPECT_EQ(std::filesystem::file_size(path("scenario.toml")), 18u);
+    EXPECT_FALSE(std::filesystem::exists(path("scenario.toml.part")));
+    std::ofstream(path("empty")).close();
+    write_checkpoint(path("empty"), car, {});
+    write_checkpoint(path("empty"), car, {});
 }
 
 }  // namespace

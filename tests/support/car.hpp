@@ -4,12 +4,9 @@
 #include "hamilcar/block/initial_process.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/run/simulation.hpp"
+#include "support/paths.hpp"
 
 namespace hamilcar::test {
-
-inline std::string source_path(const std::string& relative) {
-    return std::string(HAMILCAR_SOURCE_DIR) + "/" + relative;
-}
 
 inline VehicleDescription paper_car() {
     return io::read_vehicle(source_path("vehicles/bmw_323i_paper.toml"));
@@ -29,7 +26,7 @@ inline VehicleDescription conservative_car() {
         const auto& tire = std::get<LinearTireDescription>(corner.tire);
         corner.tire = SpringTireDescription{tire.radius, tire.rolling_radius, tire.vertical_stiffness};
     }
-    car.aerodynamics.drag_area = 0;
+    car.aerodynamics = {};
     return car;
 }
 

@@ -5,6 +5,7 @@
 
 #include "hamilcar/description/tire.hpp"
 #include "hamilcar/io/tir_file.hpp"
+#include "support/paths.hpp"
 
 namespace hamilcar::test {
 
@@ -27,7 +28,7 @@ inline void stretch(TireDescription& tire, double factor) {
 }
 
 inline MagicFormulaDescription magic_tire() {
-    return io::read_tir(std::string(HAMILCAR_SOURCE_DIR) + "/vehicles/tires/pacejka_205_60_r15.tir").tire;
+    return io::read_tir(source_path("vehicles/tires/pacejka_205_60_r15.tir")).tire;
 }
 
 inline TmeasyDescription tmeasy_tire() {

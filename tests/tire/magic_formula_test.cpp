@@ -8,6 +8,7 @@
 #include "hamilcar/analysis/tire_curves.hpp"
 #include "hamilcar/io/tir_file.hpp"
 #include "hamilcar/tire/mirrored.hpp"
+#include "support/paths.hpp"
 #include "tire/literal_magic_formula.hpp"
 #include "tire/magic_sets.hpp"
 
@@ -147,7 +148,7 @@ TEST(MagicFormula, GivesThePublishedValues) {
 
 // Figures worked out for the shipped car before there was a simulator: shared/vehicle/bmw-323i.md, 2.6.
 TEST(MagicFormula, TheShippedSetHasTheFiguresStatedForIt) {
-    const auto file = io::read_tir(HAMILCAR_SOURCE_DIR "/vehicles/tires/pacejka_205_60_r15.tir");
+    const auto file = io::read_tir(test::source_path("vehicles/tires/pacejka_205_60_r15.tir"));
     const Tire<double> tire = make_tire<double>(TireDescription(symmetric(file.tire)));
     const TireFigures front = tire_figures(tire, 3059), rear = tire_figures(tire, 2581);
     EXPECT_NEAR(front.cornering_stiffness * degree, 664, 0.5);

@@ -8,6 +8,7 @@
 #include "hamilcar/io/tir_file.hpp"
 #include "hamilcar/tire/list.hpp"
 #include "hamilcar/tire/mirrored.hpp"
+#include "support/paths.hpp"
 #include "tire/magic_sets.hpp"
 
 namespace hamilcar::test {
@@ -70,7 +71,7 @@ inline BrushDescription worked_brush() {
 }
 
 inline MagicFormulaDescription shipped_set() {
-    return symmetric(io::read_tir(HAMILCAR_SOURCE_DIR "/vehicles/tires/pacejka_205_60_r15.tir").tire);
+    return symmetric(io::read_tir(test::source_path("vehicles/tires/pacejka_205_60_r15.tir")).tire);
 }
 
 inline std::vector<SlipModel> slip_models() {

@@ -2,6 +2,7 @@
 // hamilcar/run/scene.cpp; the two change together.
 //
 // Numbers of a column stand in one block of bytes, so that fifteen seconds at 1 ms need no parsing.
+import { raisePowers } from "./report/numbers";
 
 export interface ColumnReference {
   readonly type: "f64" | "f32";
@@ -181,7 +182,7 @@ export interface PageDocument {
   readonly runs: readonly Run[];
 }
 
-// The document of this page with its block of bytes; null where the page stands alone (hamilcar drive serves it so).
+// The document of this page with its block of bytes, its units as people write them; null where the page stands alone (hamilcar drive serves it so).
 export interface LoadedDocument {
   readonly document: PageDocument;
   column(reference: ColumnReference): Float64Array | Float32Array;
@@ -199,7 +200,7 @@ export function loadDocument(page: Document): LoadedDocument | null {
   if (source === "") return null;
   const block = bytesOf(page.getElementById("hamilcar-columns")?.textContent?.trim() ?? "");
   return {
-    document: JSON.parse(source) as PageDocument,
+    document: JSON.parse(raisePowers(source)) as PageDocument,
     column: ({ type, offset, count }) =>
       type === "f64" ? new Float64Array(block, offset, count) : new Float32Array(block, offset, count),
   };

@@ -29,7 +29,9 @@ const dashes: readonly (readonly number[])[] = [
   [1, 2],
   [12, 3, 2, 3, 2, 3],
 ];
-export const seriesDash = (index: number): readonly number[] => dashes[index % dashes.length] ?? [];
+// After each round of colors they move on by one: sixty-four curves differ in one or the other.
+export const seriesDash = (index: number): readonly number[] =>
+  dashes[(index + Math.floor(index / seriesCount)) % dashes.length] ?? [];
 
 // Calls back whenever the colors change: the system's choice, the page's own switch, the start and end of printing.
 // Returns how to stop that.

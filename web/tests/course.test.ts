@@ -22,7 +22,9 @@ after(async () => {
 
 const motion = ["x", "y", "z", "qw", "qx", "qy", "qz"].map((end) => `chassis.pose.${end}`);
 const engine = ["speed", "torque", "throttle", "gear", "clutch_torque"].map((end) => `engine.${end}`);
-const names = [...motion, "chassis.longitudinal_velocity", "input.steering_torque", ...engine];
+const ways = ["chassis.longitudinal_velocity", "chassis.lateral_velocity"];
+const tire = ["vertical_force", "slip_angle"].map((end) => `front_left.tire.${end}`);
+const names = [...motion, ...ways, "input.steering_torque", ...engine, ...tire];
 const driveline: Driveline = {
   units: [{ name: "engine", idle: 800, most: 6400 }], gears: 5, reverse: true, clutch: true, automatic: false,
 };
@@ -30,7 +32,9 @@ const car: CarMessage = {
   type: "car", car: 1, vehicle: "a", road: "maneuver:double_lane_change", friction: 1, steering_lock_deg: 500,
   channels: names.map((name) => ({ name, unit: "1", description: "" })),
   scene: {
-    vehicle: "a car", units: 1, frames: [{ name: "chassis", unit: 0 }], links: [], wheels: [], tires: [],
+    vehicle: "a car", units: 1, frames: [{ name: "chassis", unit: 0 }], links: [],
+    wheels: [{ name: "front_left", frame: 0, center: [1.3, 0.7, 0.3], axis: [0, 1, 0], radius: 0.3, width: 0.2, tires: [0] }],
+    tires: [{ name: "front_left.tire" }],
     bodies: [{ unit: 0, low: [-2, -0.8, 0.2], high: [2, 0.8, 1.4] }],
     road: { name: "level", grade: 0, bank: 0, friction: 1, uneven: false, patches: [], cones: [[5, 2]] },
   },
@@ -133,9 +137,39 @@ test("instruments show what the car has", async () => {
   assert.deepEqual([...complaints, ...plain.complaints], []);
 });
 
+test("a wheel that stands has no angle of slip", async () => {
+  const { page, server, complaints } = await open(car);
+  const cell = page.getByRole("region", { name: "Wheels" }).getByRole("row", { name: "front left" }).getByRole("cell").nth(2);
+  const slipping = { ...still, "front_left.tire.vertical_force": 3000, "front_left.tire.slip_angle": 2.5 };
+  server.show(car, 2, { ...slipping, "chassis.longitudinal_velocity": 0.3 });
+  await page.waitForTimeout(300);
+  assert.equal(await cell.innerText(), "–");
+  server.show(car, 3, { ...slipping, "chassis.longitudinal_velocity": 0.3, "chassis.lateral_velocity": 0.5 });
+  await cell.getByText("2.5").waitFor();
+  await page.close();
+  assert.deepEqual(complaints, []);
+});
+
+test("the last number of the tachometer is whole", async () => {
+  const units = [{ name: "engine", idle: 800, most: 4720 }]; // the scale ends right behind 5000
+  const { page } = await open({ ...car, driveline: { ...driveline, units } });
+  const cut = await page.$$eval(".scale .tick", (ticks) => {
+    const last = ticks.at(-1) as HTMLElement;
+    const scale = last.closest(".scale") as HTMLElement;
+    const clips = getComputedStyle(scale).overflow !== "visible";
+    return clips && last.getBoundingClientRect().right > scale.getBoundingClientRect().right;
+  });
+  assert.equal(cut, false);
+  await page.close();
+});
+
 test("a course is chosen from the menu, told, and ends with its result", async () => {
   const { page, server, complaints } = await open(car);
   assert.match(await page.getByRole("region", { name: "Car and road" }).innerText(), /Double lane change: Through the cones/);
+  const named = await open({ ...car, scene: { ...car.scene, road: { ...car.scene.road, name: "Double lane change" } } });
+  const plate = await named.page.getByRole("region", { name: "Car and road" }).innerText();
+  assert.equal(plate.split("Double lane change").length, 2, "the title stands there once");
+  await named.page.close();
   await page.keyboard.press("m");
   const groups = await page.$$eval("select[name=road] optgroup", (all) => all.map((one) => (one as HTMLOptGroupElement).label));
   assert.deepEqual(groups, ["Roads", "Courses"]);
@@ -154,6 +188,12 @@ test("a course is chosen from the menu, told, and ends with its result", async (
   await card.getByRole("button", { name: "Again" }).click();
   assert.ok(server.heard.some(({ type }) => type === "reset"));
   assert.equal(await card.isVisible(), false);
+
+  const untouched = { criterion: "no cone is hit", passed: null, found: "" };
+  server.say({ ...result, finished: false, verdicts: [untouched] });
+  const unfinished = page.getByRole("region", { name: "Double lane change: not finished" });
+  assert.match(await unfinished.getByRole("listitem").innerText(), /^\s*not judged\s+no cone is hit\s*$/);
+  assert.equal(await unfinished.locator(".passed").count(), 0);
 
   server.say({ ...result, passed: true });
   await page.getByRole("region", { name: "Double lane change: passed" }).waitFor();

@@ -22,7 +22,8 @@ export class Identity {
   showCar({ scene, friction, course }: CarMessage): void {
     write(this.car, scene.vehicle);
     write(this.road, `${scene.road.name}, ${surface(friction)} (${figure(friction, 2)})`);
-    write(this.task, course ? `${course.title}: ${course.summary}` : "");
+    const told = course?.title === scene.road.name;
+    write(this.task, course ? (told ? course.summary : `${course.title}: ${course.summary}`) : "");
   }
 
   showRole(text: string, free: boolean): void {

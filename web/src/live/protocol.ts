@@ -53,7 +53,7 @@ export interface TestCourse {
   readonly id: string; // "double_lane_change"; what its result names
   readonly name: string; // for people, short: "ISO 3888-1"
   readonly title: string; // "Double lane change"
-  readonly summary: string; // one sentence: what to do
+  readonly summary: string; // one sentence: what to do, and what of it is judged
   readonly cones: readonly (readonly [number, number])[]; // x, y [m]
   readonly boundaries: readonly (readonly [number, number, number, number])[]; // x0, y0, x1, y1: not to be crossed [m]
   readonly line: readonly (readonly [number, number])[]; // to follow; []: none [m]
@@ -81,8 +81,12 @@ export interface CourseResult {
   readonly finished: boolean; // driven to its end
   readonly passed: boolean | null; // null: there is nothing to pass
   readonly values: readonly ResultValue[];
-  readonly verdicts: readonly Verdict[];
+  readonly verdicts: readonly CourseVerdict[];
   readonly time: number; // from entering the course to its end, or as far as it went [s]
+}
+
+export interface CourseVerdict extends Omit<Verdict, "passed"> {
+  readonly passed: boolean | null; // null: not judged, because it was not driven through
 }
 
 export interface ResultValue {

@@ -1,6 +1,6 @@
 // How a course went: shown as the car has passed its end, until it is back at its start.
 import { element } from "../dom";
-import { significant } from "../report/numbers";
+import { raisePowers, significant } from "../report/numbers";
 import { announce } from "../report/sharing";
 import { createVerdictList, verdictSign, verdictWord } from "../report/verdicts";
 import { figure } from "./gauge";
@@ -14,7 +14,7 @@ const outcome = ({ finished, passed }: CourseResult): string => {
 
 function rowOf({ name, unit, value, meaning }: ResultValue): HTMLElement {
   const number = value === null ? "–" : significant(value);
-  const suffix = value === null || unit === "" || unit === "1" ? "" : ` ${unit.replaceAll("^2", "²")}`;
+  const suffix = value === null || unit === "" || unit === "1" ? "" : ` ${raisePowers(unit)}`;
   const head = element("th", { scope: "row" }, name, meaning === "" ? null : element("small", {}, meaning));
   return element("tr", {}, head, element("td", {}, number + suffix));
 }

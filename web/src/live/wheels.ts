@@ -5,6 +5,7 @@ import type { LiveFrame } from "./frame";
 import { bar, figure, write } from "./gauge";
 import type { Bar } from "./gauge";
 
+const crawl = 0.5; // slower than so the angle of slip trembles and tells nothing [m/s]
 const slides = { angle: 10, slip: 0.2 } as const; // beyond the peak of most tires [deg, 1]
 const fullTravel = 0.1; // [m]
 const fullLoad = 8000; // until a wheel carries more [N]
@@ -76,10 +77,10 @@ class WheelRow {
     return sum(this.tires.map((tire) => tire.load()));
   }
 
-  show(full: number, texts: boolean): void {
+  show(full: number, moves: boolean, texts: boolean): void {
     const load = this.loadNow;
     const grip = load <= 1 ? 0 : sum(this.tires.map((tire) => tire.force())) / load;
-    const angle = largest(this.tires.map((tire) => tire.angle()));
+    const angle = moves ? largest(this.tires.map((tire) => tire.angle())) : NaN;
     const slip = largest(this.tires.map((tire) => tire.slip()));
     const travel = this.travel();
     const text = (value: number, decimals: number): string | null => (texts ? figure(value, decimals) : null);
@@ -103,6 +104,7 @@ export class WheelTable {
   readonly root: HTMLElement;
   private readonly body = element("tbody");
   private rows: readonly WheelRow[] = [];
+  private velocity: readonly (() => number)[] = [];
   private full = fullLoad;
 
   constructor() {
@@ -120,6 +122,7 @@ export class WheelTable {
       Math.abs(a.center[0] - b.center[0]) > a.radius ? b.center[0] - a.center[0] : b.center[1] - a.center[1],
     );
     this.rows = order.map((wheel) => new WheelRow(frame, scene, wheel));
+    this.velocity = ["longitudinal", "lateral"].map((way) => frame.reader(`chassis.${way}_velocity`));
     this.full = fullLoad;
     this.body.replaceChildren(...this.rows.map((row) => row.root));
   }
@@ -127,6 +130,7 @@ export class WheelTable {
   show(texts: boolean): void {
     if (this.root.hidden) return;
     this.full = Math.max(this.full, ...this.rows.map((row) => row.loadNow || 0));
-    for (const row of this.rows) row.show(this.full, texts);
+    const moves = !(Math.hypot(...this.velocity.map((read) => read())) < crawl);
+    for (const row of this.rows) row.show(this.full, moves, texts);
   }
 }

@@ -1,5 +1,6 @@
 // Words over the picture: whose car is whose, and what the arrows measure.
 import { element } from "../dom";
+import { seriesCount } from "../theme";
 import type { World } from "./world";
 
 const chip = (shade: string): HTMLElement =>
@@ -8,6 +9,13 @@ const chip = (shade: string): HTMLElement =>
 export class Captions {
   readonly root = element("div", { class: "replay-captions" });
   private readonly runs = element("ul", { class: "replay-runs", "aria-label": "Runs" });
+  // On a narrow screen names would cover the picture: they wait behind it.
+  private readonly names = element("button", {
+    type: "button",
+    class: "replay-button replay-names",
+    "aria-expanded": "false",
+    onclick: () => this.unfold(),
+  });
   private readonly arrows: HTMLElement;
 
   constructor(private readonly world: World) {
@@ -19,12 +27,18 @@ export class Captions {
     );
     const { tracks } = world;
     if (tracks.length > 1) {
-      this.runs.append(
-        ...tracks.map(({ run, index }) => element("li", {}, chip(`series-${(index % 8) + 1}`), run.name)),
-      );
+      const chips = tracks.map(({ index }) => chip(`series-${(index % seriesCount) + 1}`));
+      this.runs.append(...tracks.map(({ run }, i) => element("li", {}, chips[i]!.cloneNode(), run.name)));
+      this.names.append(...chips, `${tracks.length} runs`);
+      this.root.append(this.names);
     }
     this.root.append(this.runs, this.arrows);
     this.show();
+  }
+
+  private unfold(): void {
+    const open = this.runs.classList.toggle("open");
+    this.names.setAttribute("aria-expanded", String(open));
   }
 
   show(): void {

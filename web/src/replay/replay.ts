@@ -96,9 +96,18 @@ class Replay {
     };
     this.plots.onSeek = (time) => this.player.seek(time);
     this.picker.onChange = (names) => this.choose(names);
+    this.side.addEventListener("scroll", () => this.showRest(), { passive: true });
+    const growing = new ResizeObserver(() => this.showRest());
+    for (const part of [this.side, ...this.side.children]) growing.observe(part);
     for (const part of [this.view, this.transport.root]) {
       part.addEventListener("click", (event) => this.releaseFocus(event));
     }
+  }
+
+  // Whether there is more below the plots that are seen.
+  private showRest(): void {
+    const { scrollTop, scrollHeight, clientHeight } = this.side;
+    this.side.classList.toggle("more", scrollHeight - scrollTop - clientHeight > 20);
   }
 
   // After a click with the mouse the space bar plays again; who came by the tab key stays.

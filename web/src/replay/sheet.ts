@@ -23,7 +23,7 @@ const headOf = (name: string): string => name.slice(0, Math.max(name.indexOf("."
 const tailOf = (name: string): string => name.slice(name.indexOf(".") + 1);
 
 export const unitText = (unit: string): string =>
-  unit === "1" || unit === "" ? "" : ` [${unit.replaceAll("^2", "²")}]`;
+  unit === "1" || unit === "" ? "" : ` [${unit}]`;
 
 function comparing(name: string, tracks: readonly Track[]): Sheet {
   const having = tracks.filter((track) => track.channel(name) !== null);

@@ -35,10 +35,15 @@ function withoutZeros(x: Column, y: Column, { logarithmic }: ChartBlock["x"]): [
   return [pick(x), pick(y)];
 }
 
+// "front_left" as people write it; a path keeps its letters.
+const spaced = (label: string): string =>
+  /[/\\]|\.[a-z]/.test(label) ? label : label.replace(/([a-z0-9])_(?=[a-z0-9])/g, "$1 ");
+
 function samplesOfCurve(curve: Curve, block: ChartBlock, loaded: LoadedDocument): Samples {
   const [x, y] = withoutZeros(loaded.column(curve.x), loaded.column(curve.y), block.x);
   const gapped = block.y.logarithmic ? y.map((value) => (value > 0 ? value : NaN)) : y;
-  const { label, points } = curve;
+  const { points } = curve;
+  const label = spaced(curve.label);
   if (rises(x)) return { label, points, x, y: gapped, rising: true };
   const backward = x.slice().reverse();
   if (rises(backward)) return { label, points, x: backward, y: gapped.slice().reverse(), rising: true };

@@ -1,4 +1,4 @@
-// Numbers as people read them: few digits, the same for all of one axis or column, a true minus sign.
+// Numbers and units as people read them: few digits, the same for all of one axis or column, a true minus sign.
 
 const raised = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 const signed = (text: string): string => text.replace("-", "−");
@@ -26,10 +26,11 @@ export function significant(value: number, digits = 4): string {
   return fixed(value, value === 0 ? 0 : Math.max(0, digits - 1 - magnitude(value)));
 }
 
-// A value read off a curve: a thousandth of what is shown is all that the eye can ask for.
+// A value read off a curve: a thousandth of what is shown is all that the eye can ask for, and far less is none.
 export function reading(value: number, span: number): string {
   if (!Number.isFinite(value)) return "–";
-  if (!readable(value) || !(span > 0) || span > 1e7) return significant(value);
+  const none = Math.abs(value) < 1e-4 * span;
+  if (!none && (!readable(value) || !(span > 0) || span > 1e7)) return significant(value);
   return fixed(value, Math.min(10, Math.max(0, 2 - magnitude(span))));
 }
 
@@ -41,7 +42,7 @@ function decimalsOf(step: number): number {
 
 export function tickTexts(ticks: readonly (number | null)[], step: number): string[] {
   const largest = Math.max(...ticks.map((tick) => Math.abs(tick ?? 0)));
-  const powers = largest >= 1e6 || step < 1e-5;
+  const powers = largest >= 1e6 || (step < 1e-5 && largest < 1e3 * step);
   const decimals = powers ? 0 : decimalsOf(step);
   const text = (tick: number): string =>
     powers && tick !== 0 ? power(Number(tick.toPrecision(8))) : fixed(tick, decimals);
@@ -52,3 +53,8 @@ export function logarithmicTickTexts(ticks: readonly (number | null)[]): string[
   const text = (tick: number): string => (tick >= 1e-3 && tick < 1e5 ? String(tick) : power(tick));
   return ticks.map((tick) => (tick === null ? "" : text(Number(tick.toPrecision(6)))));
 }
+
+// "m/s^2" as "m/s²", and back for files.
+export const raisePowers = (text: string): string =>
+  text.replace(/([a-z)])\^([23])(?!\d)/gi, (_all, before: string, digit: string) => before + raised[Number(digit)]);
+export const lowerPowers = (text: string): string => text.replaceAll("²", "^2").replaceAll("³", "^3");

@@ -9,9 +9,14 @@ import { drawFlags, flagsOf, heightOf, type Flag } from "./marks";
 import { drawAxisName } from "./plot";
 import { axisOf, curveOf, font, textWidth } from "./style";
 
+// uPlot wants one curve at least; a map may have nothing but cones.
+const none = new Float64Array(0);
+const nothing: readonly Samples[] = [{ label: "", x: none, y: none, points: false, rising: true }];
+const plotted = (curves: readonly Samples[]): readonly Samples[] => (curves.length > 0 ? curves : nothing);
+
 // Many x at once: uPlot's faceted mode, where every curve has its own.
 export const dataOf = (curves: readonly Samples[]): uPlot.AlignedData =>
-  [null, ...curves.map(({ x, y }) => [x, y])] as unknown as uPlot.AlignedData;
+  [null, ...plotted(curves).map(({ x, y }) => [x, y])] as unknown as uPlot.AlignedData;
 
 function seriesOf(curve: Samples, index: number, factor: number): uPlot.Series {
   const seen = curve.points ? [...curve.x.keys()].filter((i) => visible(curve, i)) : [];
@@ -73,7 +78,7 @@ export function optionsOf({ block, curves, cones, view, width, height, factor = 
       axisOf({ scale: "x", label: block.x.label, logarithmic: block.x.logarithmic, factor }),
       axisOf({ scale: "y", logarithmic: block.y.logarithmic, factor, ...(block.equal_axes ? mapAxis(factor) : {}) }),
     ],
-    series: [{}, ...curves.map((curve, i) => seriesOf(curve, i, factor))],
+    series: [{}, ...plotted(curves).map((curve, i) => seriesOf(curve, i, factor))],
     hooks: {
       drawAxes: [(plot) => drawAxisName(plot, block.y.label, factor)],
       draw: [

@@ -43,7 +43,7 @@ export function axisOf({ scale, label, logarithmic = false, factor = 1, size, sh
     ...(label === undefined ? {} : { label, labelSize: 18 * factor, labelGap: 2 * factor }),
     gap: 4 * factor,
     size: scale === "x" ? 24 * factor : size ?? ((plot, texts) => (widest(plot, texts) + 12) * factor),
-    space: (scale === "x" ? 56 : 26) * factor,
+    space: (scale === "x" ? 56 : 22) * factor,
     grid: { ...hairline, filter: (_plot, ticks) => (logarithmic ? decades(ticks) : ticks) },
     ticks: { ...hairline, size: 4 * factor },
     border: { show: scale === "x", stroke: () => color("ink-soft"), width: factor },
@@ -82,11 +82,13 @@ export const polyline: uPlot.Series.PathBuilder = (plot, index, first, last) =>
     return { stroke };
   }) as uPlot.Series.Paths;
 
-// Limits a little wider than the data, at round numbers; zero draws a limit to itself, and equal limits are parted.
+const leastSpan = 1e-4; // over the largest number: what varies less is drawn as a level line [1]
+
+// Limits a little wider than the data, at round numbers; zero draws a limit to itself, and what is as good as equal is parted.
 export function roundLimits(low: number, high: number): [number, number] {
   if (!(low <= high)) return [0, 1];
   const magnitude = Math.max(Math.abs(low), Math.abs(high));
-  const flat = high - low <= 1e-9 * magnitude || high === low;
+  const flat = high - low <= leastSpan * magnitude;
   const pad = flat ? magnitude / 10 || 1 : (high - low) * 0.06;
   const step = 10 ** Math.floor(Math.log10(high - low + 2 * pad)) / 20;
   const from = low >= 0 && low < pad ? 0 : Math.floor((low - pad) / step) * step;

@@ -1,22 +1,46 @@
-// A table as a journal sets it: few rules, numbers under numbers. The full number is in the cell's title.
+// A table as a journal sets it: few rules, numbers under numbers; where a column names units, numbers of one row belong
+// together. The full number is in the cell's title.
 import type { Cell, TableBlock } from "../document";
 import { element } from "../dom";
 import { fixed, significant } from "./numbers";
 import "./table.css";
 
 const digits = 4;
+const fewDigits = 3; // of the least number beside a large one
 const aligned = 1e3; // numbers that differ more than so have no decimals in common
+const manyRows = 40; // of a table that scrolls
 
 type Format = (value: number) => string;
 
-// Numbers of one column have as many decimals as the largest needs, as long as that leaves the smallest enough of them.
+const magnitude = (value: number): number => Math.floor(Math.log10(Math.abs(value)));
+
+// As somebody types it, without the noise of binary fractions: "0.19"; null where that takes too many digits.
+function typed(value: number): string | null {
+  if (Number.isInteger(value) && Math.abs(value) < 1e9) return String(value);
+  const text = String(Number(value.toPrecision(12)));
+  const long = text.includes("e") || text.replace(/[-.]/g, "").replace(/^0+/, "").length > digits;
+  return long ? null : text;
+}
+
+const decimalsOf = (text: string): number => text.split(".")[1]?.length ?? 0;
+
+function alone(value: number): string {
+  const text = typed(value);
+  return text === null ? significant(value, digits) : fixed(value, decimalsOf(text));
+}
+
+// Numbers that belong together have as many decimals as the largest needs and the least is to keep.
 function formatOf(cells: readonly Cell[]): Format {
   const numbers = cells.filter((cell) => typeof cell === "number" && Number.isFinite(cell)) as number[];
+  const texts = numbers.map(typed);
+  if (texts.every((text) => text !== null)) {
+    const decimals = Math.max(0, ...texts.map(decimalsOf));
+    return (value) => fixed(value, decimals);
+  }
   const sizes = numbers.map(Math.abs).filter((size) => size > 0);
   const [least, largest] = [Math.min(...sizes), Math.max(...sizes)];
-  if (numbers.every(Number.isInteger) && largest < 1e9) return (value) => fixed(value, 0);
-  if (!(largest < 1e7 && least >= 1e-4 && largest / least < aligned)) return (value) => significant(value, digits);
-  const decimals = Math.max(0, digits - 1 - Math.floor(Math.log10(largest)));
+  if (!(largest < 1e7 && least >= 1e-4 && largest / least < aligned)) return alone;
+  const decimals = Math.max(0, digits - 1 - magnitude(largest), fewDigits - 1 - magnitude(least));
   return (value) => (Number.isFinite(value) ? fixed(value, decimals) : significant(value));
 }
 
@@ -34,7 +58,8 @@ function cellOf(cell: Cell, format: Format, kind: string | null, leads: boolean)
 
 export function createTable({ title, columns, rows }: TableBlock): HTMLElement {
   const cells = columns.map((_column, i) => rows.map((row) => row[i] ?? null));
-  const formats = cells.map(formatOf);
+  const byRow = columns.some(({ name }) => name === "unit");
+  const formats = (byRow ? rows : cells).map(formatOf);
   const kinds = cells.map(kindOf);
   const head = columns.map(({ name, unit }, i) =>
     element(
@@ -44,9 +69,9 @@ export function createTable({ title, columns, rows }: TableBlock): HTMLElement {
       unit === "" || unit === "1" ? null : element("span", { class: "unit" }, ` [${unit}]`),
     ),
   );
-  const cellAt = (row: readonly Cell[], i: number): HTMLElement =>
-    cellOf(row[i] ?? null, formats[i] ?? String, kinds[i] ?? null, i === 0);
-  const body = rows.map((row) => element("tr", {}, ...columns.map((_column, i) => cellAt(row, i))));
+  const cellAt = (row: number, i: number): HTMLElement =>
+    cellOf(rows[row]?.[i] ?? null, formats[byRow ? row : i] ?? String, kinds[i] ?? null, i === 0);
+  const body = rows.map((_row, at) => element("tr", {}, ...columns.map((_column, i) => cellAt(at, i))));
   const table = element(
     "table",
     {},
@@ -54,7 +79,11 @@ export function createTable({ title, columns, rows }: TableBlock): HTMLElement {
     element("thead", {}, element("tr", {}, ...head)),
     element("tbody", {}, ...body),
   );
-  const frame = element("div", { class: "table", role: "region", "aria-label": title }, table);
+  const frame = element(
+    "div",
+    { class: rows.length > manyRows ? "table long" : "table", role: "region", "aria-label": title },
+    table,
+  );
   // Only what scrolls needs to be reached by keys.
   new ResizeObserver(() => {
     const scrolls = frame.scrollHeight > frame.clientHeight + 1 || frame.scrollWidth > frame.clientWidth + 1;

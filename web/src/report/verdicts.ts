@@ -6,18 +6,27 @@ import "./verdicts.css";
 const check = "M3 8.5L6.5 12L13 4.5";
 const cross = "M4 4L12 12M12 4L4 12";
 
-export const verdictWord = (passed: boolean): string => (passed ? "passed" : "not passed");
+const dash = "M4 8H12";
 
-export const verdictSign = (passed: boolean): SVGElement =>
+// Null: not judged.
+type Judged = Omit<Verdict, "passed"> & { readonly passed: boolean | null };
+type Passed = Judged["passed"];
+
+const chosen = (passed: Passed, yes: string, no: string, open: string): string =>
+  passed === null ? open : passed ? yes : no;
+
+export const verdictWord = (passed: Passed): string => chosen(passed, "passed", "not passed", "not judged");
+
+export const verdictSign = (passed: Passed): SVGElement =>
   drawing(
     "svg",
     { class: "sign", viewBox: "0 0 16 16", width: 16, height: 16, "aria-hidden": "true" },
-    drawing("path", { d: passed ? check : cross }),
+    drawing("path", { d: chosen(passed, check, cross, dash) }),
   );
 
-const classOf = (passed: boolean): string => (passed ? "passed" : "failed");
+const classOf = (passed: Passed): string => chosen(passed, "passed", "failed", "open");
 
-const itemOf = ({ criterion, passed, found }: Verdict): HTMLElement =>
+const itemOf = ({ criterion, passed, found }: Judged): HTMLElement =>
   element(
     "li",
     { class: classOf(passed) },
@@ -26,7 +35,7 @@ const itemOf = ({ criterion, passed, found }: Verdict): HTMLElement =>
     element("span", { class: "criterion" }, criterion, found === "" ? null : ": ", element("b", {}, found)),
   );
 
-export const createVerdictList = (list: readonly Verdict[]): HTMLElement =>
+export const createVerdictList = (list: readonly Judged[]): HTMLElement =>
   element("ul", { class: "verdict-list" }, ...list.map(itemOf));
 
 // "Not passed: 1 of 5 criteria not met".

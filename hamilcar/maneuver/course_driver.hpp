@@ -6,27 +6,27 @@
 
 namespace hamilcar {
 
-struct LaneDrive {
+struct CourseDrive {
     double speed;  // at the start [km/h]
     Trial trial;
     Passage passage;
 };
 
-class LaneDriver {
+class CourseDriver {
 public:
     // `speeds`: as many as will be driven at most, for the maneuver's progress.
-    LaneDriver(const VehicleDescription& vehicle, const LaneChange& change, const Settings& settings,
-               const ManeuverOptions& options, int speeds);
+    CourseDriver(const VehicleDescription& vehicle, const LaneChange& change, const Settings& settings,
+                 const ManeuverOptions& options, int speeds);
 
     const Course& course() const { return course_; }
     bool may_go_on() const { return driven_ < speeds_; }
 
     // At a speed [km/h], until an attempt is clean; the best one counts. What the others took is added to the outcome's energy.
-    LaneDrive drive(double speed, bool film, Outcome& outcome);
+    CourseDrive drive(double speed, bool film, Outcome& outcome);
 
 private:
     using Line = std::vector<std::array<double, 2>>;
-    LaneDrive attempt(double speed, const Line& line, bool film, std::function<bool(double)> keep_going) const;
+    CourseDrive attempt(double speed, const Line& line, bool film, std::function<bool(double)> keep_going) const;
     Line corrected(Line line, const History& history) const;
 
     const VehicleDescription& vehicle_;

@@ -1,4 +1,4 @@
-#include "hamilcar/maneuver/lane_driver.hpp"
+#include "hamilcar/maneuver/course_driver.hpp"
 
 #include <fmt/format.h>
 
@@ -32,8 +32,8 @@ double over(const std::vector<double>& x, const std::vector<double>& value, doub
 
 }  // namespace
 
-LaneDriver::LaneDriver(const VehicleDescription& vehicle, const LaneChange& change, const Settings& settings,
-                       const ManeuverOptions& options, int speeds)
+CourseDriver::CourseDriver(const VehicleDescription& vehicle, const LaneChange& change, const Settings& settings,
+                           const ManeuverOptions& options, int speeds)
     : vehicle_(vehicle),
       change_(change),
       options_(options),
@@ -43,12 +43,12 @@ LaneDriver::LaneDriver(const VehicleDescription& vehicle, const LaneChange& chan
       attempts_(static_cast<int>(settings.at("attempts"))),
       speeds_(speeds) {}
 
-LaneDrive LaneDriver::drive(double speed, bool film, Outcome& outcome) {
+CourseDrive CourseDriver::drive(double speed, bool film, Outcome& outcome) {
     Line line = course_.line;
-    std::optional<LaneDrive> best;
+    std::optional<CourseDrive> best;
     for (int i = 0; i < attempts_; ++i) {
         const auto part = [&](int n) { return (driven_ + n / static_cast<double>(attempts_)) / speeds_; };
-        LaneDrive now = attempt(speed, line, film, share(options_, part(i), part(i + 1)));
+        CourseDrive now = attempt(speed, line, film, share(options_, part(i), part(i + 1)));
         if (interrupted(now.trial)) return now;
         line = corrected(std::move(line), now.trial.history);
         const bool learned = !best || now.passage.clearance > best->passage.clearance + progress;
@@ -61,10 +61,11 @@ LaneDrive LaneDriver::drive(double speed, bool film, Outcome& outcome) {
     return std::move(*best);
 }
 
-LaneDrive LaneDriver::attempt(double speed, const Line& line, bool film, std::function<bool(double)> keep_going) const {
+CourseDrive CourseDriver::attempt(double speed, const Line& line, bool film,
+                                  std::function<bool(double)> keep_going) const {
     const double v = speed * kilometer_per_hour;
     const double run_up = std::max(run_up_time * v, least_run_up) + box_.front;
-    const double last = change_.lanes.back().end - box_.rear + run_out;
+    const double last = change_.lanes.back().end - rear_end(vehicle_) + run_out;
     ScenarioDescription scenario =
         driving_at(vehicle_, options_, v, (run_up + last) / ((change_.lift ? slow_share : held_share) * v));
     scenario.name = fmt::format("{} at {:g} km/h", change_.title, speed);
@@ -76,16 +77,16 @@ LaneDrive LaneDriver::attempt(double speed, const Line& line, bool film, std::fu
     scenario.driver.ending.station = last - line.front()[0];
     scenario.driver.ending.speed_below = standing;
     if (change_.lift) lift_foot(scenario, v, (*change_.lift - box_.front + run_up) / v);
-    LaneDrive out{.speed = speed,
-                  .trial = hamilcar::drive(vehicle_, scenario, {.film = film, .keep_going = std::move(keep_going)}),
-                  .passage = {}};
+    CourseDrive out{.speed = speed,
+                    .trial = hamilcar::drive(vehicle_, scenario, {.film = film, .keep_going = std::move(keep_going)}),
+                    .passage = {}};
     out.passage = passage(vehicle_, change_.lanes, out.trial.history);
     if (out.trial.trouble) out.passage.complete = false;
     return out;
 }
 
 // The line that is aimed at, moved against what the vehicle was beside the easiest line, evened out along the way.
-LaneDriver::Line LaneDriver::corrected(Line line, const History& h) const {
+CourseDriver::Line CourseDriver::corrected(Line line, const History& h) const {
     std::vector<double> x, y;
     for (const auto& point : course_.line) x.push_back(point[0]), y.push_back(point[1]);
     for (auto& point : line) {

@@ -1,0 +1,191 @@
+#include "hamilcar/io/column_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <numbers>
+
+#include "hamilcar/io/crg_text.hpp"
+#include "hamilcar/io/error.hpp"
+#include "hamilcar/io/key_unit.hpp"
+#include "hamilcar/io/spelling.hpp"
+
+namespace hamilcar::io {
+
+namespace {
+
+struct HeadingUnit {
+    std::string_view symbol, si;
+    double to_si;
+};
+constexpr std::array heading_units{
+    HeadingUnit{"s", "s", 1},     HeadingUnit{"ms", "s", 1e-3},
+    HeadingUnit{"m", "m", 1},     HeadingUnit{"mm", "m", 1e-3},
+    HeadingUnit{"rad", "rad", 1}, HeadingUnit{"deg", "rad", std::numbers::pi / 180},
+    HeadingUnit{"N m", "N m", 1}, HeadingUnit{"Nm", "N m", 1},
+    HeadingUnit{"m/s", "m/s", 1}, HeadingUnit{"km/h", "m/s", 1 / 3.6},
+    HeadingUnit{"", "", 1},       HeadingUnit{"1", "", 1},
+    HeadingUnit{"-", "", 1},      HeadingUnit{"%", "", 0.01},
+};
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // that spreadsheets put before UTF-8
+
+const HeadingUnit* find_unit(std::string_view symbol) {
+    const auto* found = std::ranges::find(heading_units, symbol, &HeadingUnit::symbol);
+    return found == heading_units.end() ? nullptr : found;
+}
+
+// The fields of a line; those in quotation marks may contain the separator.
+std::vector<std::string_view> fields_of(std::string_view line, char separator) {
+    std::vector<std::string_view> fields;
+    bool quoted = false;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= line.size(); ++i) {
+        if (i < line.size() && line[i] == '"') quoted = !quoted;
+        if (i < line.size() && (quoted || line[i] != separator)) continue;
+        std::string_view field = crg::trimmed(line.substr(begin, i - begin));
+        if (field.size() > 1 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
+        fields.push_back(field);
+        begin = i + 1;
+    }
+    return fields;
+}
+
+struct Heading {
+    std::string_view name, unit;
+};
+
+Heading heading_of(std::string_view field) {
+    const std::size_t open = field.rfind('[');
+    if (open == std::string_view::npos || !field.ends_with(']')) return {field, {}};
+    return {crg::trimmed(field.substr(0, open)), crg::trimmed(field.substr(open + 1, field.size() - open - 2))};
+}
+
+// Where a column stands, and what its numbers are multiplied by to be SI.
+struct Column {
+    std::string name;
+    std::size_t place;
+    double to_si;
+};
+
+class ColumnReader {
+public:
+    ColumnReader(std::string_view text, const std::string& path, const ColumnRequest& request)
+        : text_(text), path_(path), request_(request) {
+        if (text.starts_with(byte_order_mark)) text_.skip(byte_order_mark.size());
+    }
+
+    Samples read() {
+        std::string_view line = next();
+        if (line.empty()) fail("no line with headings: expected one with '" + request_.value + "' in it");
+        const std::size_t at = line.find_first_of(",;\t");
+        separator_ = at == std::string_view::npos ? ',' : line[at];
+        const std::vector<std::string_view> headings = fields_of(line, separator_);
+        const Column x = column(headings, request_.argument, request_.argument_key);
+        const Column y = column(headings, request_.value, request_.value_key);
+        const double unit = unit_of_key(request_.value_key).to_si;
+        Samples samples;
+        while (!(line = next()).empty()) {
+            const std::vector<std::string_view> fields = fields_of(line, separator_);
+            if (fields.size() != headings.size()) {
+                fail(std::to_string(fields.size()) + " fields: expected " + std::to_string(headings.size()) +
+                     ", one for each heading");
+            }
+            const double argument = number(fields, x);
+            if (!samples.argument.empty() && !(argument > samples.argument.back())) {
+                fail("'" + x.name + "' = " + std::string(fields[x.place]) + ": expected a number above the one before");
+            }
+            const double value = number(fields, y);
+            check(value / unit, fields[y.place], y);
+            samples.argument.push_back(argument), samples.value.push_back(value);
+        }
+        if (samples.argument.empty()) fail("no line of numbers below the headings");
+        return samples;
+    }
+
+private:
+    // The next line that says something; empty at the end.
+    std::string_view next() {
+        while (!text_.rest().empty()) {
+            const std::string_view line = text_.next_line();
+            if (const auto said = crg::trimmed(line); !said.empty() && said.front() != '#') return line;
+        }
+        return {};
+    }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw Error(ExitCode::bad_file, path_ + ":" + std::to_string(std::max(1, text_.line())) + ": " + what);
+    }
+
+    Column column(const std::vector<std::string_view>& headings, const std::string& name, std::string_view key) const {
+        std::vector<std::string_view> names;
+        for (const std::string_view heading : headings) names.push_back(heading_of(heading).name);
+        const auto count = std::ranges::count(names, name);
+        if (count > 1) fail("heading '" + name + "' stands here " + std::to_string(count) + " times: expected once");
+        if (count == 0) {
+            const std::string guess = did_you_mean(name, names);
+            fail("no heading '" + name + "': " + (guess.empty() ? "expected " + quoted_list(names) : guess));
+        }
+        const auto place = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+        const KeyUnit wanted = unit_of_key(key);
+        const std::string_view unit = heading_of(headings[place]).unit;
+        if (unit.empty()) return {name, place, wanted.to_si};
+        const HeadingUnit *given = find_unit(unit), *own = find_unit(wanted.symbol);
+        if (!given || !own || given->si != own->si) {
+            fail("'" + name + "' is in [" + std::string(unit) + "]: expected [" + wanted.symbol +
+                 "] or a unit that stands for the same");
+        }
+        return {name, place, given->to_si};
+    }
+
+    double number(const std::vector<std::string_view>& fields, const Column& of) const {
+        const auto value = crg::number_in(fields[of.place]);
+        if (!value || !std::isfinite(*value)) {
+            fail("'" + of.name + "' = '" + std::string(fields[of.place]) + "': expected a finite number");
+        }
+        return *value * of.to_si;
+    }
+
+    void check(double value, std::string_view written, const Column& of) const {
+        const Range& range = request_.range;
+        const bool enough = range.least_included ? value >= range.least : value > range.least;
+        if (enough && value <= range.most) return;
+        fail("'" + of.name + "' = " + std::string(written) + ": expected a " +
+             with_unit(std::string(range.words), request_.value_key));
+    }
+
+    crg::Text text_;
+    const std::string& path_;
+    const ColumnRequest& request_;
+    char separator_ = ',';
+};
+
+}  // namespace
+
+Samples parse_columns(std::string_view text, const std::string& path, const ColumnRequest& request) {
+    return ColumnReader(text, path, request).read();
+}
+
+std::string read_named_file(const TableReader& table, std::string_view key) {
+    const std::string path = table.path_to_file(key);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    std::string text;
+    if (file) {
+        char block[1 << 16];
+        while (const std::size_t count = std::fread(block, 1, sizeof block, file.get())) text.append(block, count);
+        if (!std::ferror(file.get())) return text.starts_with(byte_order_mark) ? text.substr(3) : text;
+    }
+    const std::string cause = std::strerror(errno);
+    try {
+        table.expect(false, key, "a file that can be read, but " + path + ": " + cause);
+    } catch (const Error& at_key) {
+        throw Error(ExitCode::input_output, at_key.what());
+    }
+    return text;
+}
+
+}  // namespace hamilcar::io
