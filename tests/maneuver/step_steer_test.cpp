@@ -35,7 +35,7 @@ std::vector<double> linear_step(const VehicleDescription& car) {
 TEST(StepSteer, IsLinearTheorysInTheSmall) {
     VehicleDescription car = test::shipped_car();
     car.power_units.clear(), car.differentials.clear();  // of which linear theory knows nothing
-    constexpr double small = 0.1;  // [m/s^2]
+    constexpr double small = 0.1;                        // [m/s^2]
     const double angle = angle_for(car, speed, small) / degree;
     const Outcome outcome = test::driven(step_steer(), car, {{"lateral_acceleration", small}, {"rate", angle / width}});
     ASSERT_FALSE(outcome.failed) << *outcome.failed;
