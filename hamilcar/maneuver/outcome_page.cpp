@@ -187,7 +187,8 @@ void add_figures(io::Table table, const std::string& reason, io::Page& page) {
 void add_run(const ManeuverRun& run, const Outcome& outcome, const std::string& label, io::Page& page) {
     page.blocks.push_back(io::Heading{label});
     if (!outcome.verdicts.empty()) page.blocks.push_back(io::Verdicts{outcome.verdicts});
-    for (const std::string& note : outcome.notes) page.blocks.push_back(io::Paragraph{label + ": " + note});
+    for (const std::string& note : outcome.notes)
+        page.blocks.push_back(io::Paragraph{fmt::format("{}: {}", label, note)});
     page.blocks.push_back(inputs_table(run));
 }
 
