@@ -141,6 +141,7 @@ private:
     [[noreturn]] void refuse_damaged() const { fail("the checkpoint is damaged or cut off"); }
     void read(char* to, std::size_t bytes) {
         if (bytes > rest_.size()) refuse_damaged();
+        if (bytes == 0) return;  // where an empty list has no place to copy to
         std::memcpy(to, rest_.data(), bytes);
         rest_.remove_prefix(bytes);
     }

@@ -103,7 +103,7 @@ TEST_P(Handling, AtACrawlIsGeometry) {
     }
     const SteadyHandling slow = steady_handling(upright, 0.5);
     expect_close(angle_per_curvature(slow), slow.steering_ratio * slow.wheelbase, 3e-3, "angle per curvature");
-    const Sweep& steer = kinematics(car, SweepRange{})[0].sweeps[2];
+    const Sweep steer = kinematics(car, SweepRange{})[0].sweeps[2];
     const AxleFigures &right = steer.rows[steer.design - 1], &left = steer.rows[steer.design + 1];
     const double turned = (left.left.steer + left.right.steer - right.left.steer - right.right.steer) / 2;
     expect_close(slow.steering_ratio, (left.rack - right.rack) / rack_per_angle / turned, 5e-3, "steering ratio");
