@@ -29,18 +29,11 @@ std::vector<Setting> settings(const VehicleDescription& vehicle) {
 }  // namespace
 
 Maneuver double_lane_change() {
-    return {.name = "double_lane_change",
-            .title = "Double lane change",
-            .standard = "ISO 3888-1",
-            .summary = "Out into the next lane and back between cones, at a held speed.",
-            .settings = settings,
-            .obstacle = needs_steering_and_drive,
-            .drive =
-                [](const VehicleDescription& vehicle, const Settings& settings, const ManeuverOptions& options) {
-                    return drive_lane_change(vehicle, lane_change(vehicle), settings, options);
-                },
-            .course = [](const VehicleDescription& vehicle,
-                         const Settings&) { return lane_course(lane_change(vehicle).lanes, footprint(vehicle)); }};
+    return through_lanes(lane_change, {.name = "double_lane_change",
+                                       .title = "Double lane change",
+                                       .standard = "ISO 3888-1",
+                                       .summary = "Out into the next lane and back between cones, at a held speed.",
+                                       .settings = settings});
 }
 
 }  // namespace hamilcar

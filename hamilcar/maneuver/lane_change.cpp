@@ -204,21 +204,6 @@ void add_verdicts(const CourseDrive& drive, double entry, Outcome& outcome) {
     }
 }
 
-}  // namespace
-
-std::vector<Setting> lane_change_settings(double usual_speed, bool usual_search) {
-    return {{"speed", "km/h", "at which the course is entered", usual_speed, slowest, fastest},
-            {"search", "", "1: also seek the highest entry speed without a cone hit", usual_search ? 1.0 : 0.0, 0, 1},
-            {"attempts", "", "at each speed, each with what the driver learned from the one before", 6, 1, 20},
-            {"preview_time", "s", "how far ahead the driver looks", 0.4, 0.2, 2}};
-}
-
-double usual_entry_speed(const VehicleDescription& vehicle, double standard, double acceleration) {
-    constexpr double part = 0.6, step = 5;  // of the acceleration that tips it over [1]; [km/h]
-    const double bearable = part * tipping_acceleration(vehicle);
-    return std::max(rounded_down(standard * std::min(1.0, std::sqrt(bearable / acceleration)), step), slowest);
-}
-
 Outcome drive_lane_change(const VehicleDescription& vehicle, const LaneChange& change, const Settings& settings,
                           const ManeuverOptions& options) {
     Outcome outcome;
@@ -239,6 +224,32 @@ Outcome drive_lane_change(const VehicleDescription& vehicle, const LaneChange& c
     if (settings.at("search") > 0) search(driver, first, entry, options.keep_runs, outcome);
     add_trial(outcome, std::move(first.trial));
     return outcome;
+}
+
+}  // namespace
+
+std::vector<Setting> lane_change_settings(double usual_speed, bool usual_search) {
+    return {{"speed", "km/h", "at which the course is entered", usual_speed, slowest, fastest},
+            {"search", "", "1: also seek the highest entry speed without a cone hit", usual_search ? 1.0 : 0.0, 0, 1},
+            {"attempts", "", "at each speed, each with what the driver learned from the one before", 6, 1, 20},
+            {"preview_time", "s", "how far ahead the driver looks", 0.4, 0.2, 2}};
+}
+
+double usual_entry_speed(const VehicleDescription& vehicle, double standard, double acceleration) {
+    constexpr double part = 0.6, step = 5;  // of the acceleration that tips it over [1]; [km/h]
+    const double bearable = part * tipping_acceleration(vehicle);
+    return std::max(rounded_down(standard * std::min(1.0, std::sqrt(bearable / acceleration)), step), slowest);
+}
+
+Maneuver through_lanes(LaneChange (*lanes)(const VehicleDescription&), Maneuver named) {
+    named.obstacle = needs_steering_and_drive;
+    named.drive = [lanes](const VehicleDescription& vehicle, const Settings& settings, const ManeuverOptions& options) {
+        return drive_lane_change(vehicle, lanes(vehicle), settings, options);
+    };
+    named.course = [lanes](const VehicleDescription& vehicle, const Settings&) {
+        return lane_course(lanes(vehicle).lanes, footprint(vehicle));
+    };
+    return named;
 }
 
 }  // namespace hamilcar

@@ -21,7 +21,7 @@ std::vector<Setting> lane_change_settings(double usual_speed, bool usual_search)
 // driven at `standard` is asked for `acceleration` [m/s^2].
 double usual_entry_speed(const VehicleDescription& vehicle, double standard, double acceleration);
 
-Outcome drive_lane_change(const VehicleDescription& vehicle, const LaneChange& change, const Settings& settings,
-                          const ManeuverOptions& options);
+// The maneuver with its drive, its course and what it needs: through these lanes.
+Maneuver through_lanes(LaneChange (*lanes)(const VehicleDescription&), Maneuver named);
 
 }  // namespace hamilcar

@@ -33,18 +33,13 @@ std::vector<Setting> settings(const VehicleDescription& vehicle) {
 }  // namespace
 
 Maneuver obstacle_avoidance() {
-    return {.name = "obstacle_avoidance",
-            .title = "Obstacle avoidance",
-            .standard = "ISO 3888-2",
-            .summary = "Round an obstacle and back between cones with the throttle released, as fast as no cone falls.",
-            .settings = settings,
-            .obstacle = needs_steering_and_drive,
-            .drive =
-                [](const VehicleDescription& vehicle, const Settings& settings, const ManeuverOptions& options) {
-                    return drive_lane_change(vehicle, lane_change(vehicle), settings, options);
-                },
-            .course = [](const VehicleDescription& vehicle,
-                         const Settings&) { return lane_course(lane_change(vehicle).lanes, footprint(vehicle)); }};
+    return through_lanes(
+        lane_change,
+        {.name = "obstacle_avoidance",
+         .title = "Obstacle avoidance",
+         .standard = "ISO 3888-2",
+         .summary = "Round an obstacle and back between cones with the throttle released, as fast as no cone falls.",
+         .settings = settings});
 }
 
 }  // namespace hamilcar

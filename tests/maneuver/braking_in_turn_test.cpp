@@ -1,33 +1,22 @@
 // ISO 7975: the values against closed forms for motions put together by hand, and the car against its linear theory.
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "hamilcar/analysis/handling.hpp"
-#include "hamilcar/io/error.hpp"
-#include "hamilcar/maneuver/catalog.hpp"
 #include "hamilcar/maneuver/circle_braking.hpp"
 #include "hamilcar/steering/column.hpp"
-#include "support/car.hpp"
+#include "lateral_tests.hpp"
 
 namespace hamilcar {
 namespace {
 
 const Maneuver maneuver = braking_in_turn();
 
-Outcome outcome_of(const VehicleDescription& car, const Settings& chosen) {
-    ManeuverOptions options;
-    options.keep_runs = false;
-    return maneuver.drive(car, complete_settings(maneuver, car, chosen), options);
-}
+using test::figure;
 
-double figure(const Outcome& outcome, const std::string& name) {
-    for (const Figure& one : outcome.figures) {
-        if (one.name == name) return one.value;
-    }
-    ADD_FAILURE() << "no figure " << name;
-    return 0;
+Outcome outcome_of(const VehicleDescription& car, const Settings& chosen) {
+    return test::driven(maneuver, car, chosen);
 }
 
 // A point that brakes with `deceleration` from the settled circle on and turns `sharper` times as fast as the circle asks.

@@ -1,32 +1,21 @@
 // NHTSA's fishhook: lift found in loads made by hand, a low car that stays on its wheels, and the same car with its weight on
 // the roof.
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "hamilcar/io/error.hpp"
-#include "hamilcar/maneuver/catalog.hpp"
 #include "hamilcar/maneuver/fishhook_run.hpp"
-#include "support/car.hpp"
+#include "lateral_tests.hpp"
 
 namespace hamilcar {
 namespace {
 
 const Maneuver maneuver = fishhook();
 
-Outcome outcome_of(const VehicleDescription& car, const Settings& chosen) {
-    ManeuverOptions options;
-    options.keep_runs = false;
-    return maneuver.drive(car, complete_settings(maneuver, car, chosen), options);
-}
+using test::figure;
 
-double figure(const Outcome& outcome, const std::string& name) {
-    for (const Figure& one : outcome.figures) {
-        if (one.name == name) return one.value;
-    }
-    ADD_FAILURE() << "no figure " << name;
-    return 0;
+Outcome outcome_of(const VehicleDescription& car, const Settings& chosen) {
+    return test::driven(maneuver, car, chosen);
 }
 
 // Loads of the four wheels over 1 s; `left` of the left ones in the middle, for 0.3 s.

@@ -1,4 +1,4 @@
-// Maneuvers of lateral dynamics, driven with some settings of one's own, and their figures by name.
+// Maneuvers, most of them of lateral dynamics, driven with some settings of one's own, and their figures by name.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -23,10 +23,12 @@ inline Outcome driven(const Maneuver& maneuver, const VehicleDescription& car, c
     return maneuver.drive(car, complete_settings(maneuver, car, chosen), options);
 }
 
-// NaN, which nothing equals, for a figure that is not there.
+// A name that no figure has is a mistake of the test: NaN is also what a drive did not show.
 inline double figure(const Outcome& outcome, const std::string& name) {
     const auto found = std::ranges::find(outcome.figures, name, &Figure::name);
-    return found == outcome.figures.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
+    if (found != outcome.figures.end()) return found->value;
+    ADD_FAILURE() << "no figure " << name;
+    return std::numeric_limits<double>::quiet_NaN();
 }
 
 inline void expect_share(double value, double wanted, double tolerance, const std::string& what) {

@@ -1,28 +1,16 @@
 // The course of ISO 3888-2 and the search for the highest clean speed.
-#include <gtest/gtest.h>
 
-#include "hamilcar/io/error.hpp"
-#include "hamilcar/maneuver/catalog.hpp"
-#include "hamilcar/maneuver/common.hpp"
-#include "support/car.hpp"
+#include "lateral_tests.hpp"
 
 namespace hamilcar {
 namespace {
 
 const Maneuver maneuver = obstacle_avoidance();
 
-Outcome outcome_of(const VehicleDescription& car, const Settings& chosen) {
-    ManeuverOptions options;
-    options.keep_runs = false;
-    return maneuver.drive(car, complete_settings(maneuver, car, chosen), options);
-}
+using test::figure;
 
-double figure(const Outcome& outcome, const std::string& name) {
-    for (const Figure& one : outcome.figures) {
-        if (one.name == name) return one.value;
-    }
-    ADD_FAILURE() << "no figure " << name;
-    return 0;
+Outcome outcome_of(const VehicleDescription& car, const Settings& chosen) {
+    return test::driven(maneuver, car, chosen);
 }
 
 TEST(ObstacleAvoidance, LanesAreAsWideAsTheStandardSays) {
