@@ -97,7 +97,7 @@ TEST_P(RackForce, WorksWhatTheCarGains) {
         most = std::max(most, std::abs(gained)), worst = std::max(worst, std::abs(work - gained));
     }
     std::printf("%s: gains up to %.3f J, work differs by %.1e J\n", GetParam().c_str(), most, worst);
-    EXPECT_LT(worst, 1e-7 * most);
+    EXPECT_LT(worst, 5e-9 * most);
 }
 
 // Power of everything that is neither in the potential nor the rack's.

@@ -77,6 +77,19 @@ TEST(Trials, ConvergeToTheReference) {
     EXPECT_GT(coarse.wall_time, 0);
 }
 
+// What README and docs/theory/formulation.md state of the default method over the whole of it, 15 s and 300 m.
+TEST(Trials, LaneChangeIsThatOfAFarSmallerStep) {
+    const VehicleDescription car = test::paper_car();
+    const Trace reference = reference_path(car, lane_change());
+    const TrialResult coarse = run_trial(car, lane_change(), {"ab3", 2e-3}, reference, 1),
+                      fine = run_trial(car, lane_change(), {"ab3", 1e-3}, reference, 1);
+    std::printf("ab3: %.2e m at 2 ms, %.2e m at 1 ms; joints open by %.1e m\n", coarse.path_error, fine.path_error,
+                fine.violation);
+    EXPECT_LT(coarse.path_error, 4e-7);
+    EXPECT_LT(fine.path_error, 5e-8);
+    EXPECT_LT(fine.violation, 3e-12);
+}
+
 TEST(Steadiness, AdvancesTheRunByWhatItTimed) {
     Simulation timed(test::paper_car(), bend()), alone(test::paper_car(), bend());
     const Steadiness s = steadiness(timed, 2000);

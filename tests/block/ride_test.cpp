@@ -1,4 +1,5 @@
-// Ride rates and frequencies of the shipped car against the published figures (vehicle data, section 3).
+// Rates and ride frequencies of the shipped car against the wheel rates published for its sister (VDANL in
+// vehicles/bmw_323i.toml), which its springs were chosen for, and against what follows from them by hand.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -10,7 +11,7 @@ namespace hamilcar {
 namespace {
 
 // Natural frequencies [Hz] of the oscillating modes at rest, ascending. Free of slip and damping, so that a standing
-// tire's grip does not stiffen the suspension: the published figures are of the vertical motion alone.
+// tire's grip does not stiffen the suspension: the figures compared with are of the vertical motion alone.
 std::vector<double> natural_frequencies() {
     const Model<double> model = test::make_model(test::conservative_car());
     const Input<double> input;
@@ -72,9 +73,9 @@ double wheel_rate(int corner) {
     return (above.force - below.force) / (above.height - below.height);
 }
 
-// Vehicle data, 2.5 and 3: wheel rates 24453 and 19636 N/m; with sprung corners of 276.9 and 224.1 kg on 180 kN/m tires,
-// ride rates 21.5 and 17.7 kN/m and ride frequencies 1.40 and 1.41 Hz.
-TEST(Ride, RatesAndFrequenciesAreThePublishedOnes) {
+// VDANL: wheel rates 24453 and 19636 N/m; derived, with sprung corners of 276.9 and 224.1 kg on 180 kN/m tires: ride rates
+// 21.5 and 17.7 kN/m and ride frequencies 1.40 and 1.41 Hz.
+TEST(Ride, WheelRatesAreThePublishedOnesAndFrequenciesFollow) {
     struct Row {
         int corner;
         double wheel_rate, ride_rate, sprung_mass, frequency;

@@ -18,7 +18,7 @@ TEST(Standstill, ACarOnASlopeWithTheBrakeOnDoesNotCreep) {
         farthest = std::max(farthest, (Vec3<double>(simulation.state().position()) - start).norm());
     }
     std::printf("farthest from the start in 60 s: %.2e m\n", farthest);
-    EXPECT_LT(farthest, 1e-3);
+    EXPECT_LT(farthest, 1e-9);
 }
 
 TEST(Standstill, WithoutTheBrakeItRollsDown) {
@@ -74,10 +74,11 @@ TEST(RollOver, RunsToTheEndWithFiniteNumbers) {
     EXPECT_LT(simulation.sample().violation, 1e-9);
 }
 
-TEST(Equilibrium, HasThePublishedLoadsHeightsAndStrutLength) {
+TEST(Equilibrium, HasTheLoadsHeightsAndStrutLengthItWasLaidOutFor) {
     Simulation simulation(test::paper_car(), test::scenario(1));
     const Sample s = simulation.sample();
-    // Vehicle data, 2.1: 3059 N front and 2581 N rear for g = 9.81; 2.3: strut 531.83 mm; heights 0.278 F, 0.280 R.
+    // Derived before there was a simulator, as vehicles/bmw_323i.toml grades it: 3059 N in front and 2581 N behind for
+    // g = 9.81, a strut of 531.83 mm, wheel centers 0.278 and 0.280 m high.
     for (std::size_t i = 0; i < 4; ++i) {
         const double load = i < 2 ? 3059 : 2581, height = i < 2 ? 0.2778 : 0.2804;
         const SpokeForces<double>& f = s.momenta.spokes[i].forces;

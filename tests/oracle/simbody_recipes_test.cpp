@@ -11,7 +11,7 @@ namespace {
 
 using test::ComposedSample;
 
-constexpr double path_tolerance = 1e-8;  // [m]
+constexpr double path_tolerance = 1e-9;  // [m]
 
 // An arm free in space, held by a ball at one bush and a line through both at the other.
 ComposedSample held_by_cuts() {

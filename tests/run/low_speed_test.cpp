@@ -47,7 +47,7 @@ TEST_P(LowSpeed, StandsOnASlopeForTenMinutes) {
         farthest = std::max(farthest, (place(simulation) - start).norm());
     }
     std::printf("farthest from the start in %.0f s: %.2e m\n", standing, farthest);
-    EXPECT_LT(farthest, 1e-3);
+    EXPECT_LT(farthest, 3e-6);
 }
 
 TEST_P(LowSpeed, StopsWithoutJudderAndStays) {
@@ -146,7 +146,7 @@ TEST_P(LowSpeed, ParksAndTurnsOnTheSpot) {
     EXPECT_LT(speed(simulation), 0.02);
 }
 
-// From parking to the limit: half the step moves no point of the path by a millimeter.
+// From parking to the limit: half the step moves no point of the path by ten micrometers.
 TEST_P(LowSpeed, PathsDoNotDependOnTheStep) {
     struct Drive {
         const char* name;
@@ -183,7 +183,7 @@ TEST_P(LowSpeed, PathsDoNotDependOnTheStep) {
             second = std::max(second, (half[i] - quarter[i]).norm());
         }
         std::printf("%s: 1 to 0.5 ms %.1e m, 0.5 to 0.25 ms %.1e m\n", name, first, second);
-        EXPECT_LT(first, 1e-3) << name;
+        EXPECT_LT(first, 1e-5) << name;
         EXPECT_LT(second, std::max(0.5 * first, 1e-6)) << name << ": it converges";
     }
 }

@@ -1,5 +1,7 @@
-// The shipped hardpoints reproduce the published reference kinematics of the car (vehicle data, tables 2.3 and 2.4):
-// camber, toe, caster, strut length and longitudinal wheel movement over travel, steer over rack, arm angles.
+// The shipped hardpoints against kinematics that were derived from them before there was a simulator, by a calculation of
+// its own: camber, toe, caster, strut length and longitudinal wheel movement over travel, steer over rack, arm angles.
+// Published are alignment, camber gain and rack ratio at design alone, which the hardpoints were solved for
+// (vehicles/bmw_323i.toml; tests/analysis/kinematics_test.cpp): nobody ever published these curves.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -90,7 +92,7 @@ void PrintTo(const FrontRow& row, std::ostream* out) {
 }
 class FrontKinematics : public testing::TestWithParam<FrontRow> {};
 
-TEST_P(FrontKinematics, MatchesTable23) {
+TEST_P(FrontKinematics, IsThatDerivedFromTheHardpoints) {
     const FrontRow row = GetParam();
     const auto f = Corner(0).at(1e-3 * row.travel_mm);
     EXPECT_NEAR(f.camber, row.camber, angle_tolerance);
@@ -101,7 +103,7 @@ TEST_P(FrontKinematics, MatchesTable23) {
     EXPECT_NEAR(Corner(0).caster_at(1e-3 * row.travel_mm), row.caster, angle_tolerance);
 }
 
-INSTANTIATE_TEST_SUITE_P(Table23, FrontKinematics,
+INSTANTIATE_TEST_SUITE_P(Travel, FrontKinematics,
                          testing::Values(FrontRow{-80, 1.656, 0.334, 7.90, 1.30, -21.73, 603.75},
                                          FrontRow{-60, 0.972, 0.295, 8.15, 1.11, -14.21, 586.11},
                                          FrontRow{-40, 0.352, 0.250, 8.40, 0.83, -8.10, 568.26},
@@ -120,7 +122,7 @@ void PrintTo(const RearRow& row, std::ostream* out) {
 }
 class RearKinematics : public testing::TestWithParam<RearRow> {};
 
-TEST_P(RearKinematics, MatchesTable24) {
+TEST_P(RearKinematics, IsThatDerivedFromTheHardpoints) {
     const RearRow row = GetParam();
     const auto f = Corner(2).at(1e-3 * row.travel_mm);
     EXPECT_NEAR(f.camber, row.camber, angle_tolerance);
@@ -129,7 +131,7 @@ TEST_P(RearKinematics, MatchesTable24) {
     EXPECT_NEAR(f.contact_shift[1], 1e-3 * row.contact_y_mm, length_tolerance);
 }
 
-INSTANTIATE_TEST_SUITE_P(Table24, RearKinematics,
+INSTANTIATE_TEST_SUITE_P(Travel, RearKinematics,
                          testing::Values(RearRow{-80, 1.087, 0.093, 7.45, -15.86},
                                          RearRow{-60, 0.372, 0.059, 4.18, -11.49},
                                          RearRow{-40, -0.339, 0.058, 1.85, -7.39},
@@ -138,14 +140,14 @@ INSTANTIATE_TEST_SUITE_P(Table24, RearKinematics,
                                          RearRow{60, -3.838, 0.545, 4.18, 9.07},
                                          RearRow{80, -4.527, 0.742, 7.45, 11.55}));
 
-TEST(RearArm, AnglesMatchTable24) {
+TEST(RearArm, AnglesAreThoseDerivedFromTheHardpoints) {
     EXPECT_NEAR(degree * Corner(2).at(0.02).independent, 2.739, angle_tolerance);
     EXPECT_NEAR(degree * Corner(2).at(-0.02).independent, -2.739, angle_tolerance);
     EXPECT_NEAR(degree * Corner(2).at(0.08).independent, 11.020, angle_tolerance);
     EXPECT_NEAR(degree * Corner(2).at(-0.08).independent, -11.020, angle_tolerance);
 }
 
-// "At z = 0 the left wheel steers (rack)": the change of the wheel's heading from straight ahead.
+// At the design height the left wheel steers with the rack: the change of the wheel's heading from straight ahead.
 struct SteerRow {
     double rack_mm, steer;
 };
@@ -178,7 +180,7 @@ TEST(UnsteeredStrut, IgnoresTheRack) {
     EXPECT_GT(std::abs(turned.spoke(1).dependent[2] - straight.spoke(1).dependent[2]), 0.05);
 }
 
-INSTANTIATE_TEST_SUITE_P(Table23, Steer,
+INSTANTIATE_TEST_SUITE_P(Rack, Steer,
                          testing::Values(SteerRow{-73, -33.97}, SteerRow{-40, -18.66}, SteerRow{-20, -9.44},
                                          SteerRow{20, 9.90}, SteerRow{40, 20.55}, SteerRow{60, 32.46},
                                          SteerRow{73, 41.31}));

@@ -1,5 +1,5 @@
-// The linear tire against its own law written out again: the steady slip force with its friction limit, stiffnesses as
-// published, relaxation by length, mirror symmetry, and a load that only pushes.
+// The linear tire against its own law written out again: the steady slip force with its friction limit, stiffnesses
+// of Pacejka's set, relaxation by length, mirror symmetry, and a load that only pushes.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -15,7 +15,7 @@ namespace {
 constexpr double front_load = 3059, rear_load = 2581;  // static, per wheel of the shipped car [N]
 constexpr double degree = std::numbers::pi / 180;
 
-// Slip stiffness per load: sideways it falls with load along the curve through the published peak.
+// Slip stiffness per load: sideways it falls with load along the curve through its peak.
 double lateral_stiffness(const LinearTireDescription& tire, double load) {
     const double x = load / tire.cornering_load;
     return 2 * tire.cornering_reference / tire.cornering_load / (1 + x * x);
@@ -47,14 +47,15 @@ TEST(LinearTire, SmallSteadySlipGivesStiffnessTimesSlip) {
     }
 }
 
-// Published for this tire at the car's static loads: 664 N/deg in front, 579 N/deg at the rear.
-TEST(LinearTire, HasThePublishedCorneringStiffness) {
+// Of Pacejka's 205/60 R 15 (Tyre and Vehicle Dynamics, 2006, Table A3.1), which it stands for, at the car's static loads:
+// 664 N/deg in front, 579 N/deg at the rear.
+TEST(LinearTire, HasTheCorneringStiffnessOfPacejkasSet) {
     const auto tire = test::paper_tire();
-    for (const auto& [load, published] : {std::pair{front_load, 664.0}, std::pair{rear_load, 579.0}}) {
+    for (const auto& [load, stiffness] : {std::pair{front_load, 664.0}, std::pair{rear_load, 579.0}}) {
         const auto side_force = [&, W = load](double angle) {
             return test::settled(tire, slipping(tire, W, 20, 0, -std::tan(angle))).Fy;
         };
-        EXPECT_NEAR(-test::derivative(side_force, 0.0) * degree, published, 0.5);
+        EXPECT_NEAR(-test::derivative(side_force, 0.0) * degree, stiffness, 0.5);
     }
 }
 
