@@ -159,7 +159,7 @@ nlohmann::json peers_precision(const VehicleDescription& vehicle, const Scenario
 nlohmann::json own_precision(const VehicleDescription& vehicle, const ScenarioDescription& scenario,
                              const Trace& reference) {
     nlohmann::json rows;
-    for (const Trial& trial : usual_trials()) {
+    for (const AccuracyTrial& trial : usual_trials()) {
         const TrialResult r = run_trial(vehicle, scenario, trial, reference, 3);
         const bool exact = trial.constraints == ConstraintMode::exact;
         const std::string tolerance = trial.integrator == "dopri5" ? fmt::format(" {:.0e}", trial.tolerance) : "";

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "hamilcar/bench/bench.hpp"
+#include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 
 namespace hamilcar::cli {
@@ -101,8 +103,9 @@ void print_trials(const BenchReport& report) {
     for (const TrialResult& r : report.trials) {
         const std::string step = r.trial.integrator == "dopri5" ? fmt::format("tol {:.0e}", r.trial.tolerance)
                                                                 : fmt::format("{:g} ms", 1e3 * r.trial.step);
-        fmt::print("  {:<12}{:>10}  {:<12}{:>7.2f} ms{:>12.1e} m{:>12.1e} m\n", r.trial.integrator, step,
-                   name(r.trial.constraints), 1e3 * r.wall_time, r.path_error, r.violation);
+        const std::string error = std::isfinite(r.path_error) ? fmt::format("{:.1e} m", r.path_error) : "ended early";
+        fmt::print("  {:<12}{:>10}  {:<12}{:>7.2f} ms{:>14}{:>12.1e} m\n", r.trial.integrator, step,
+                   name(r.trial.constraints), 1e3 * r.wall_time, error, r.violation);
     }
 }
 
@@ -130,7 +133,7 @@ io::ExitCode bench(const Options& options) {
     });
     if (terminal) fmt::print(stderr, "\r\033[K");
     if (options.json) {
-        fmt::print("{}\n", json_of(report).dump(2));
+        fmt::print("{}\n", io::json_text(json_of(report)));
     } else {
         print_report(report);
     }

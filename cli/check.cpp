@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "hamilcar/analysis/freedom.hpp"
+#include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/tir_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/run/channels.hpp"
@@ -163,7 +164,7 @@ io::ExitCode check(const Options& options) {
     // A vehicle by itself stands still; others may run its power units.
     const VehicleDescription& recorded = io::is_scenario(options.file) ? simulation.vehicle() : vehicle;
     const nlohmann::json facts = describe(simulation, recorded, options.file);
-    const std::string text = options.json ? facts.dump(2) + "\n" : report(facts);
+    const std::string text = options.json ? io::json_text(facts) + "\n" : report(facts);
     print_or_write(options.output, text);
     return io::ExitCode::ok;
 }

@@ -7,6 +7,7 @@
 
 #include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/io/error.hpp"
+#include "hamilcar/io/folder_lock.hpp"
 #include "hamilcar/io/scenario_file.hpp"
 
 namespace hamilcar::cli {
@@ -54,7 +55,9 @@ std::string shipped_file(const std::string& name);
 std::set<std::string> tire_files(const VehicleDescription& vehicle);
 // Creates a folder with its parents; throws io::Error(input_output).
 void make_folder(const std::string& path);
-// Writes a whole small file; throws io::Error(input_output).
+// The same for a run's results: nobody else writes there as long as the lock lives.
+[[nodiscard]] io::FolderLock take_folder(const std::string& path);
+// Writes a whole small file, complete or not at all; throws io::Error(input_output).
 void write_file(const std::string& path, const std::string& text);
 // Where a page may go: a page that takes a result's place would be a run lost. Throws io::Error(usage).
 void check_output(const std::string& path);
@@ -75,9 +78,22 @@ auto in_files(const std::string& scenario, const std::string& vehicle, F&& f) {
     }
 }
 
-// True once Ctrl-C was pressed; `watch_interrupt` starts watching, and lets a file that grows beyond its limit fail like
-// a full disk.
-void watch_interrupt();
+// What a file that is opened later must not become: a closed standard stream. False where standard output was closed.
+bool take_standard_streams();
+
+// From here on Ctrl-C, SIGTERM and a closed terminal end the program at once with ExitCode::interrupted, and a file that
+// grows beyond its limit fails like a full disk.
+void end_on_interrupt();
+
+// While one lives they only set a flag instead: for a command that looks at `interrupted` several times a second, and
+// keeps what it has so far. A second one ends the program all the same.
+class InterruptWatch {
+public:
+    InterruptWatch();
+    InterruptWatch(const InterruptWatch&) = delete;
+    InterruptWatch& operator=(const InterruptWatch&) = delete;
+    ~InterruptWatch();
+};
 bool interrupted();
 
 }  // namespace hamilcar::cli

@@ -28,6 +28,7 @@ io::ExitCode drive(const Options& options) {
     std::fflush(stdout);
     fmt::print(stderr, "Drive in the browser under this address; Ctrl-C ends the drive.\n");
     if (!options.no_browser) open_in_browser(server.url());
+    const InterruptWatch watch;
     server.run([] { return interrupted(); });
     return io::ExitCode::ok;
 }

@@ -1,24 +1,35 @@
 // What every command needs from the operating system: folders, small files, Ctrl-C.
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
-#include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "commands.hpp"
+#include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::cli {
 
 namespace {
-volatile std::sig_atomic_t interrupt_seen = 0;
+volatile std::sig_atomic_t interrupt_seen = 0, interrupt_watched = 0;
 extern "C" void on_interrupt(int) {
+    if (!interrupt_watched) _exit(static_cast<int>(io::ExitCode::interrupted));
     interrupt_seen = 1;
 }
 }  // namespace
 
-void watch_interrupt() {
+bool take_standard_streams() {
+    bool output_is_open = true;
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) != -1) continue;
+        if (stream == STDOUT_FILENO) output_is_open = false;
+        if (::open("/dev/null", O_RDWR) != stream) return false;  // the lowest number that is free
+    }
+    return output_is_open;
+}
+
+void end_on_interrupt() {
     struct sigaction action {};
     action.sa_handler = on_interrupt;
     action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second Ctrl-C ends the program at once
@@ -26,6 +37,14 @@ void watch_interrupt() {
     sigaction(SIGTERM, &action, nullptr);
     sigaction(SIGHUP, &action, nullptr);  // the terminal is closed
     std::signal(SIGXFSZ, SIG_IGN);        // a file beyond `ulimit -f` is like a full disk: the write says so
+}
+
+InterruptWatch::InterruptWatch() {
+    interrupt_watched = 1;
+}
+
+InterruptWatch::~InterruptWatch() {
+    interrupt_watched = 0;
 }
 
 bool interrupted() {
@@ -60,12 +79,13 @@ void make_folder(const std::string& path) {
     }
 }
 
+io::FolderLock take_folder(const std::string& path) {
+    make_folder(path);
+    return io::FolderLock(path);
+}
+
 void write_file(const std::string& path, const std::string& text) {
-    std::ofstream file(path, std::ios::binary);
-    file << text;
-    file.close();
-    if (!file)
-        throw io::Error(io::ExitCode::input_output, fmt::format("{}: cannot write: {}", path, std::strerror(errno)));
+    io::write_whole_file(path, {text});
 }
 
 void check_output(const std::string& path) {

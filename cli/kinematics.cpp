@@ -5,10 +5,11 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <stdexcept>
 
 #include "commands.hpp"
 #include "hamilcar/analysis/kinematics.hpp"
+#include "hamilcar/analysis/no_solution.hpp"
+#include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/page.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 
@@ -195,7 +196,7 @@ io::ExitCode kinematics(const Options& options) {
     const std::vector<AxleReport> axles = [&] {
         try {
             return hamilcar::kinematics(vehicle, range);
-        } catch (const std::domain_error& error) {
+        } catch (const NoSolution& error) {
             throw io::Error(io::ExitCode::numerical, options.file + ": " + error.what());
         }
     }();
@@ -220,7 +221,7 @@ io::ExitCode kinematics(const Options& options) {
             print_report(axle);
         }
     }
-    if (options.json) fmt::print("{}\n", all.dump(2));
+    if (options.json) fmt::print("{}\n", io::json_text(all));
     if (!options.output.empty()) {
         io::write_page(options.output + "/kinematics.html", page);
         fmt::print(stderr, "wrote kinematics.html and the tables of every axle to {}\n", options.output);

@@ -3,11 +3,15 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <new>
+#include <system_error>
 #include <vector>
 
 #include "commands.hpp"
+#include "hamilcar/analysis/no_solution.hpp"
 #include "hamilcar/engine/library.hpp"
 #include "hamilcar/io/spelling.hpp"
 
@@ -159,8 +163,8 @@ private:
 int run_command(int argc, char** argv) {
     CLI::App app{
         "Hamilcar simulates wheeled vehicles with their real suspension linkages.\n"
-        "Exit codes: 0 ok, 1 criterion not met, 2 usage, 3 bad file, 4 numerical failure, 5 input/output, 130 "
-        "interrupted"};
+        "Exit codes: 0 ok, 1 criterion not met, 2 usage, 3 bad file, 4 numerical failure, 5 input/output or memory, "
+        "6 internal error, 130 interrupted"};
     app.set_version_flag("--version", [] {
         return fmt::format("hamilcar " HAMILCAR_VERSION "\nengine: {}", hamilcar::best_engine().instruction_set);
     });
@@ -175,23 +179,48 @@ int run_command(int argc, char** argv) {
         fmt::print(stderr, "hamilcar: {}\nTry 'hamilcar --help'.\n", mistyped.empty() ? error.what() : mistyped);
         return static_cast<int>(ExitCode::usage);
     }
-    cli::watch_interrupt();
+    cli::end_on_interrupt();
     return static_cast<int>(commands.run());
+}
+
+// Names out of files may hold anything; what a terminal would obey is shown as '?'.
+void tell(std::string message) {
+    std::ranges::replace_if(
+        message, [](char c) { return (c >= 0 && c < ' ' && c != '\n') || c == '\x7f'; }, '?');
+    fmt::print(stderr, "hamilcar: {}\n", message);
+}
+
+// Every way that a command can end has its exit code; that of a criterion that was not met is none of them.
+int guarded(int argc, char** argv) {
+    try {
+        return run_command(argc, argv);
+    } catch (const hamilcar::io::Error& error) {
+        tell(error.what());
+        return static_cast<int>(error.code());
+    } catch (const hamilcar::NoSolution& missing) {
+        tell(missing.what());
+        return static_cast<int>(ExitCode::numerical);
+    } catch (const std::bad_alloc&) {
+        tell("out of memory");
+        return static_cast<int>(ExitCode::input_output);
+    } catch (const std::system_error& error) {
+        tell(error.what());
+        return static_cast<int>(ExitCode::input_output);
+    } catch (const std::exception& error) {
+        tell(fmt::format("internal error, a fault of hamilcar's own; please report it: {}", error.what()));
+        return static_cast<int>(ExitCode::internal);
+    }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        return run_command(argc, argv);
-    } catch (const hamilcar::io::Error& error) {
-        fmt::print(stderr, "hamilcar: {}\n", error.what());
-        return static_cast<int>(error.code());
-    } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "hamilcar: out of memory\n");
-        return static_cast<int>(ExitCode::numerical);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "hamilcar: unexpected: {}\n", error.what());
-        return static_cast<int>(ExitCode::failed);
+    if (!cli::take_standard_streams()) {
+        fmt::print(stderr, "hamilcar: standard output is closed: expected a terminal, a file, a pipe or /dev/null\n");
+        return static_cast<int>(ExitCode::input_output);
     }
+    const int code = guarded(argc, argv);
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    fmt::print(stderr, "hamilcar: cannot write to standard output: {}\n", std::strerror(errno));
+    return code > static_cast<int>(ExitCode::failed) ? code : static_cast<int>(ExitCode::input_output);
 }

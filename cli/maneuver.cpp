@@ -4,11 +4,14 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands.hpp"
+#include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/result_file.hpp"
 #include "hamilcar/io/spelling.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
@@ -53,28 +56,62 @@ auto at_place(const std::string& file, F&& f) {
     }
 }
 
-// "speed=80": as typed after --set.
-Settings typed_settings(const std::vector<std::string>& words) {
+// Runs `f`; a mistake in a name or a number that was typed on the command line is one of usage.
+template <class F>
+decltype(auto) as_typed(F&& f) {
+    try {
+        return f();
+    } catch (const io::Error& error) {
+        throw io::Error(io::ExitCode::usage, error.what());
+    }
+}
+
+// The number behind the '=', decimal and finite in any locale.
+double typed_number(const std::string& word, std::size_t at, const Setting& setting) {
+    const char *begin = word.data() + at + 1, *end = word.data() + word.size();
+    double value = 0;
+    const auto [rest, mistake] = std::from_chars(begin, end, value);
+    if (mistake == std::errc() && rest == end && std::isfinite(value)) return value;
+    const bool has_unit = mistake == std::errc() && rest != end && !setting.unit.empty();
+    throw io::Error(io::ExitCode::usage,
+                    fmt::format("--set '{}': expected a decimal number behind '{}='{}", word, word.substr(0, at),
+                                has_unit ? fmt::format("; the unit is {}, without it", setting.unit) : ""));
+}
+
+// "speed=80": as typed after --set; by the settings' names.
+Settings typed_settings(const Maneuver& maneuver, const VehicleDescription& vehicle,
+                        const std::vector<std::string>& words) {
+    const std::vector<Setting> known = maneuver.settings(vehicle);
     Settings out;
     for (const std::string& word : words) {
         const std::size_t at = word.find('=');
-        char* end = nullptr;
-        const double value = at == std::string::npos ? 0 : std::strtod(word.c_str() + at + 1, &end);
-        if (at == std::string::npos || end == word.c_str() + at + 1 || *end != '\0' || !std::isfinite(value)) {
+        if (at == std::string::npos) {
             throw io::Error(io::ExitCode::usage, fmt::format("--set '{}': expected NAME=NUMBER", word));
         }
-        if (!out.emplace(word.substr(0, at), value).second) {
+        const Setting& setting = setting_called(word.substr(0, at), known, maneuver.name);
+        if (!out.emplace(setting.name, typed_number(word, at, setting)).second) {
             throw io::Error(io::ExitCode::usage, fmt::format("--set '{}': expected each setting once", word));
         }
     }
-    return out;
+    return chosen_settings(maneuver, vehicle, out);
+}
+
+std::string kind_word(SettingKind kind) {
+    switch (kind) {
+        case SettingKind::number: return "number";
+        case SettingKind::whole: return "whole number";
+        case SettingKind::toggle: return "0 or 1";
+        case SettingKind::side: return "-1 or 1";
+    }
+    return "";
 }
 
 io::ExitCode drive_maneuver(const Maneuver& maneuver, const VehicleDescription& vehicle, const Settings& settings,
                             const ManeuverOptions& asked, const Options& options, const ManeuverRun& run) {
     check_obstacle(maneuver, vehicle);
     const std::string folder = options.output.empty() ? "out/" + maneuver.name : options.output;
-    make_folder(folder);
+    const io::FolderLock lock = take_folder(folder);
+    std::optional<InterruptWatch> watch(std::in_place);
     Progress progress(maneuver.name);
     ManeuverOptions driven = asked;
     bool stopped = false;
@@ -84,6 +121,7 @@ io::ExitCode drive_maneuver(const Maneuver& maneuver, const VehicleDescription& 
     };
     Outcome outcome = maneuver.drive(vehicle, settings, driven);
     progress.clear();
+    watch.reset();
     if (stopped) outcome.notes.emplace_back("interrupted: this is of a part of the maneuver");
     tell_and_write(run, outcome, stopped, folder, options);
     if (stopped) return io::ExitCode::interrupted;
@@ -94,15 +132,17 @@ io::ExitCode drive_maneuver(const Maneuver& maneuver, const VehicleDescription& 
     return outcome.passed() ? io::ExitCode::ok : io::ExitCode::failed;
 }
 
-io::ExitCode start(const std::string& name, const std::string& vehicle_file, const Settings& chosen,
+// `of_file`: settings of a scenario, which those that were typed override.
+io::ExitCode start(const Maneuver& maneuver, const std::string& vehicle_file, const Settings& of_file,
                    const ManeuverOptions& asked, const Options& options) {
     if (!options.checkpoint.empty() || !options.resume.empty()) {
         throw io::Error(io::ExitCode::usage,
                         "--checkpoint and --resume are for scenarios; a maneuver is many short drives");
     }
-    const Maneuver& maneuver = require_maneuver(name);
     const VehicleDescription vehicle = io::read_vehicle(vehicle_file);
-    const Settings settings = complete_settings(maneuver, vehicle, chosen);
+    Settings settings = complete_settings(maneuver, vehicle, of_file);
+    const Settings typed = as_typed([&] { return typed_settings(maneuver, vehicle, options.settings); });
+    for (const auto& [name, value] : typed) settings[name] = value;
     ManeuverRun run{.maneuver = maneuver.name,
                     .title = maneuver.title,
                     .standard = maneuver.standard,
@@ -124,16 +164,17 @@ io::ExitCode run_maneuver(const Options& options) {
     ManeuverOptions asked;
     if (options.step > 0) asked.solver.step = options.step;
     const std::string vehicle = options.vehicle.empty() ? shipped_file("vehicles/bmw_323i.toml") : options.vehicle;
-    return start(options.maneuver, vehicle, typed_settings(options.settings), asked, options);
+    const Maneuver& maneuver = as_typed([&]() -> const Maneuver& { return require_maneuver(options.maneuver); });
+    return start(maneuver, vehicle, {}, asked, options);
 }
 
 io::ExitCode run_maneuver(const ScenarioDescription& scenario, const Options& options) {
     ManeuverOptions asked{.solver = scenario.solver, .road = scenario.road};
     if (options.step > 0) asked.solver.step = options.step;
-    Settings chosen = scenario.maneuver.settings;
-    for (const auto& [name, value] : typed_settings(options.settings)) chosen[name] = value;
     const std::string& vehicle = options.vehicle.empty() ? scenario.vehicle : options.vehicle;
-    return at_place(options.file, [&] { return start(scenario.maneuver.name, vehicle, chosen, asked, options); });
+    return at_place(options.file, [&] {
+        return start(require_maneuver(scenario.maneuver.name), vehicle, scenario.maneuver.settings, asked, options);
+    });
 }
 
 void check_maneuver(const ScenarioDescription& scenario, const VehicleDescription& vehicle, const std::string& file) {
@@ -157,7 +198,9 @@ io::ExitCode list_maneuvers(const Options& options) {
                                 {"meaning", s.meaning},
                                 {"usual", s.usual},
                                 {"least", s.least},
-                                {"most", s.most}});
+                                {"most", s.most},
+                                {"kind", kind_word(s.kind)},
+                                {"range", setting_range(s)}});
         }
         facts.push_back({{"name", maneuver.name},
                          {"title", maneuver.title},
@@ -167,7 +210,7 @@ io::ExitCode list_maneuvers(const Options& options) {
                          {"settings", settings}});
     }
     if (options.json) {
-        fmt::print("{}\n", facts.dump(2));
+        fmt::print("{}\n", io::json_text(facts));
         return io::ExitCode::ok;
     }
     fmt::print("Maneuvers, with the settings that {} drives them with:\n", vehicle.name);
@@ -178,9 +221,9 @@ io::ExitCode list_maneuvers(const Options& options) {
             fmt::print("  not with this vehicle: {}\n", obstacle);
         }
         for (const auto& s : m["settings"]) {
-            fmt::print("    {}={:g} {}  {} ({:g} to {:g})\n", s["name"].get<std::string>(), s["usual"].get<double>(),
-                       s["unit"].get<std::string>(), s["meaning"].get<std::string>(), s["least"].get<double>(),
-                       s["most"].get<double>());
+            const auto unit = s["unit"].get<std::string>();
+            fmt::print("    {}={:g}{}{}  {} ({})\n", s["name"].get<std::string>(), s["usual"].get<double>(),
+                       unit.empty() ? "" : " ", unit, s["meaning"].get<std::string>(), s["range"].get<std::string>());
         }
     }
     return io::ExitCode::ok;

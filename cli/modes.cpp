@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "hamilcar/analysis/modes.hpp"
+#include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/page.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 
@@ -197,7 +198,7 @@ io::ExitCode equilibrium(const Options& options) {
     const OperatingPoint at = find_point(linearizer, options);
     const LinearModel model = linearizer.linearize(at);
     if (options.json) {
-        fmt::print("{}\n", json_of(at, model).dump(2));
+        fmt::print("{}\n", io::json_text(json_of(at, model)));
     } else {
         print_point(at, model, options, vehicle);
     }
@@ -219,7 +220,7 @@ io::ExitCode modes(const Options& options) {
                             {"name", mode.name},
                             {"shape", mode.shape}});
         }
-        fmt::print("{}\n", list.dump(2));
+        fmt::print("{}\n", io::json_text(list));
     } else {
         fmt::print("{} {}\n  {:>9}  {:>7}  {:<28}{}\n", vehicle.name, describe(options), "pace", "damping", "mode",
                    "what moves");

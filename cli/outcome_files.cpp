@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/result_file.hpp"
+#include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::cli {
 
@@ -41,19 +42,26 @@ void print_outcome(const ManeuverRun& run, const Outcome& outcome) {
                    v.found.empty() ? "" : " (" + v.found + ")");
     }
     for (const std::string& note : outcome.notes) fmt::print("  note: {}\n", note);
-    const double gap = outcome.energy.turnover > 0 ? std::abs(outcome.energy.gap()) / outcome.energy.turnover : 0;
-    fmt::print("  energy: the books close to {:.2g} of what was turned over\n", gap);
+    const EnergyBook& energy = outcome.energy;
+    if (std::isnan(energy.gap())) {
+        fmt::print("  energy: no account was kept\n");
+    } else {
+        fmt::print("  energy: the account closes to {:.2g} of what was turned over\n",
+                   energy.turnover > 0 ? std::abs(energy.gap()) / energy.turnover : 0);
+    }
 }
 
 // Null where it cannot be read.
 nlohmann::json facts_of(const std::string& outcome) {
-    std::ifstream file(outcome);
-    return nlohmann::json::parse(file, nullptr, false);
+    try {
+        return io::parse_json(io::read_whole_file(outcome, io::LargestFile::outcome));
+    } catch (const io::Error&) {
+        return nullptr;
+    }
 }
 
 // Those of the earlier drive whose outcome this is: beside another one's figures they would be taken for its own.
-void remove_pictures(const std::string& outcome) {
-    const nlohmann::json facts = facts_of(outcome);
+void remove_pictures(const std::string& outcome, const nlohmann::json& facts) {
     if (!facts.is_object() || !facts.contains("files") || !facts["files"].is_array()) return;
     std::error_code gone_already;
     for (const nlohmann::json& file : facts["files"]) {
@@ -79,17 +87,9 @@ std::vector<std::string> files_of(const Outcome& outcome, const std::string& fol
 
 // Whole or not at all: on a full disk the outcome of an earlier drive stays.
 void write_outcome(const std::string& path, const std::string& text) {
-    const std::string beside = path + ".part";
-    std::error_code error;
-    try {
-        write_file(beside, text);
-    } catch (const io::Error&) {
-        fs::remove(beside, error);
-        throw;
-    }
-    remove_pictures(path);
-    fs::rename(beside, path, error);
-    if (error) throw io::Error(io::ExitCode::input_output, path + ": cannot write: " + error.message());
+    const nlohmann::json earlier = facts_of(path);
+    write_file(path, text);
+    remove_pictures(path, earlier);
 }
 
 }  // namespace
@@ -107,11 +107,11 @@ void tell_and_write(const ManeuverRun& run, const Outcome& outcome, bool stopped
     if (stopped) facts["passed"] = false;
     facts["files"] = files;
     const bool keeps_earlier = stopped && fs::exists(files.front()) && !says_interrupted(files.front());
-    const std::string text = facts.dump(1) + "\n";
+    const std::string text = io::json_text(facts, 1) + "\n";
     if (options.json) {
         if (keeps_earlier) facts["files"] = nlohmann::ordered_json::array();
         facts.erase("charts");
-        fmt::print("{}\n", facts.dump(2));
+        fmt::print("{}\n", io::json_text(facts));
     } else {
         print_outcome(run, outcome);
     }

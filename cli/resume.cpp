@@ -9,6 +9,7 @@
 
 #include "hamilcar/io/checksum.hpp"
 #include "hamilcar/io/toml_document.hpp"
+#include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::cli {
 
@@ -26,6 +27,7 @@ void add_text(io::Checksum& sum, std::string_view text) {
 }
 
 void add_file(io::Checksum& sum, const std::filesystem::path& path) {
+    io::regular_file_size(path.string());  // anything else may have no end
     std::ifstream file(path, std::ios::binary);
     std::string block(1 << 16, '\0');
     while (file) {

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands.hpp"
 #include "hamilcar/io/crg_file.hpp"
+#include "hamilcar/io/json_text.hpp"
 #include "hamilcar/road/plane.hpp"
 #include "hamilcar/road/road_spectrum.hpp"
 #include "hamilcar/road/surface.hpp"
@@ -30,17 +32,35 @@ private:
 };
 
 struct Track {
-    double y, lowest, highest;  // [m]
-    Roughness roughness;
+    double y, lowest, highest;           // [m]
+    std::optional<Roughness> roughness;  // none of a straight line, or of a profile too short to tell
 };
+
+// Largest distance from the straight line between the ends [m].
+double unevenness(const std::vector<double>& profile) {
+    const double rise = (profile.back() - profile.front()) / static_cast<double>(profile.size() - 1);
+    double largest = 0;
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        largest = std::max(largest, std::abs(profile[i] - profile.front() - rise * static_cast<double>(i)));
+    }
+    return largest;
+}
+
+std::optional<Roughness> roughness_of(const std::vector<double>& profile, double step) {
+    constexpr double round_off = 1e-6;  // a tenth of a hair; the smoothest class moves by millimeters [m]
+    if (unevenness(profile) < round_off) return {};
+    std::size_t segment = 4;  // half the profile or less, in the longest power of two
+    while (4 * segment <= profile.size()) segment *= 2;
+    const std::vector<Band> bands = smoothed(spectrum(profile, step, segment));
+    if (std::ranges::count_if(bands, [](const Band& band) { return band.density > 0; }) < 2) return {};
+    return fitted(bands);
+}
 
 Track track_at(const Ground& ground, double y, double length, double step) {
     std::vector<double> profile;
     for (double x = 0; x <= length; x += step) profile.push_back(ground.height(x, y));
     const auto [low, high] = std::minmax_element(profile.begin(), profile.end());
-    std::size_t segment = 2;  // half the profile or less, in the longest power of two
-    while (4 * segment <= profile.size()) segment *= 2;
-    return {y, *low, *high, fitted(smoothed(spectrum(profile, step, segment)))};
+    return {y, *low, *high, roughness_of(profile, step)};
 }
 
 CrgDescription as_crg(const Ground& ground, double length, double step, double half_width) {
@@ -63,25 +83,28 @@ io::ExitCode road(const Options& options) {
     nlohmann::json tracks = nlohmann::json::array();
     for (const double y : {half_track, -half_track}) {
         const Track track = track_at(ground, y, options.length, step);
-        const bool rough = track.roughness.at_reference > 0 && std::isfinite(track.roughness.at_reference);
-        tracks.push_back({{"y_m", y},
-                          {"lowest_m", track.lowest},
-                          {"highest_m", track.highest},
-                          {"roughness_m3", rough ? nlohmann::json(track.roughness.at_reference) : nullptr},
-                          {"waviness", rough ? nlohmann::json(track.roughness.waviness) : nullptr},
-                          {"iso_8608_class",
-                           rough ? nlohmann::json(std::string(1, class_of(track.roughness.at_reference))) : nullptr}});
+        nlohmann::json facts{{"y_m", y},
+                             {"lowest_m", track.lowest},
+                             {"highest_m", track.highest},
+                             {"roughness_m3", nullptr},
+                             {"waviness", nullptr},
+                             {"iso_8608_class", nullptr}};
+        if (track.roughness) {
+            facts["roughness_m3"] = track.roughness->at_reference, facts["waviness"] = track.roughness->waviness;
+            facts["iso_8608_class"] = std::string(1, class_of(track.roughness->at_reference));
+        }
+        tracks.push_back(std::move(facts));
     }
     if (options.json) {
-        fmt::print("{}\n",
-                   nlohmann::json{{"file", options.file}, {"length_m", options.length}, {"tracks", tracks}}.dump(2));
+        fmt::print("{}\n", io::json_text(nlohmann::json{
+                               {"file", options.file}, {"length_m", options.length}, {"tracks", tracks}}));
     } else {
         fmt::print("{}: the road from x = 0 to {:g} m\n", options.file, options.length);
         for (const auto& track : tracks) {
             fmt::print("  y = {:+.2f} m: heights {:.3f} to {:.3f} m", track["y_m"].get<double>(),
                        track["lowest_m"].get<double>(), track["highest_m"].get<double>());
             if (track["roughness_m3"].is_null()) {
-                fmt::print(", no roughness\n");
+                fmt::print(", even\n");
             } else {
                 fmt::print(", Gd(0.1/m) = {:.3g}e-6 m^3, waviness {:.2f}: ISO 8608 class {}\n",
                            1e6 * track["roughness_m3"].get<double>(), track["waviness"].get<double>(),

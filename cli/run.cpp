@@ -3,8 +3,11 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands.hpp"
+#include "hamilcar/analysis/energy_bounds.hpp"
+#include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/tir_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/run/film.hpp"
@@ -21,9 +24,6 @@ namespace hamilcar::cli {
 
 namespace {
 
-// An energy balance off by more than this share of the largest kinetic energy is no simulation of the car any more.
-constexpr double doubtful_share = 0.01;
-
 void write_report(const std::string& path, io::PageRun run, const Simulation& simulation, const nlohmann::json& facts) {
     io::Page page{.title = simulation.scenario().name, .subtitle = simulation.vehicle().name, .blocks = {}, .runs = {}};
     page.blocks = {io::Replay{}, io::Heading{"Summary"}, summary_table(facts)};
@@ -34,17 +34,17 @@ void write_report(const std::string& path, io::PageRun run, const Simulation& si
 io::ExitCode tell(const Options& options, const RunSummary& summary, const nlohmann::json& facts,
                   const std::vector<std::string>& complaints) {
     if (options.json) {
-        fmt::print("{}\n", facts.dump(2));
+        fmt::print("{}\n", io::json_text(facts));
     } else {
         print_summary(facts);
     }
-    if (summary.worst_energy_drift > doubtful_share * summary.largest_kinetic_energy &&
-        summary.worst_energy_drift > 1) {
-        fmt::print(
-            stderr,
-            "hamilcar: warning: the energy balance is off by {:.3g} J of {:.3g} J; the step of {:g} s is too large "
-            "for this run, its results are doubtful\n",
-            summary.worst_energy_drift, summary.largest_kinetic_energy, facts["step_s"].get<double>());
+    const EnergyVerdict verdict = judge_energy(summary.worst_energy_drift, summary.turnover());
+    const double step = facts["step_s"].get<double>();
+    if (verdict == EnergyVerdict::doubtful) {
+        fmt::print(stderr,
+                   "hamilcar: warning: the energy balance is off by {:.3g} J of {:.3g} J; the step of {:g} s is too "
+                   "large for this run, its results are doubtful\n",
+                   summary.worst_energy_drift, summary.turnover(), step);
     }
     for (const std::string& complaint : complaints) fmt::print(stderr, "hamilcar: {}\n", complaint);
     if (summary.interrupted) {
@@ -55,7 +55,21 @@ io::ExitCode tell(const Options& options, const RunSummary& summary, const nlohm
         fmt::print(stderr, "hamilcar: {}: {}\n", options.file, *summary.ended_early);
         return io::ExitCode::numerical;
     }
+    if (verdict == EnergyVerdict::wrong) {
+        fmt::print(
+            stderr,
+            "hamilcar: {}: the energy balance is off by {:.3g} J of {:.3g} J, more than {:g} %: these results are "
+            "no motion of the vehicle; try a smaller step than {:g} s, or look for a number of the vehicle that "
+            "is far too small or too large\n",
+            options.file, summary.worst_energy_drift, summary.turnover(), 100 * EnergyBounds::wrong, step);
+        return io::ExitCode::numerical;
+    }
     return io::ExitCode::ok;
+}
+
+void remove_files(std::initializer_list<std::string> paths) {
+    std::error_code gone_already;
+    for (const std::string& path : paths) std::filesystem::remove(path, gone_already);
 }
 
 std::string output_folder(const Options& options) {
@@ -102,11 +116,14 @@ RunSummary record_run(const Options& options, const FirstPart& before, const Rec
 io::ExitCode run_scenario(const Options& options, const ScenarioDescription& scenario, const Recorded& recorded,
                           Simulation& simulation) {
     const std::string folder = output_folder(options);
-    make_folder(folder);
+    const io::FolderLock lock = take_folder(folder);
     const bool may_resume = !options.checkpoint.empty() || !options.resume.empty();
     const Origin origin = may_resume ? origin_of(options.file, scenario.vehicle) : Origin{};
     const FirstPart before = first_part(options, folder, scenario, recorded, simulation, origin);
     Keeper keeper(options, simulation, before.progressed, origin);
+    const std::string report = folder + "/report.html", told = folder + "/summary.json";
+    if (options.resume.empty()) remove_files({report, told});  // of an earlier run: not this one's
+    std::optional<InterruptWatch> watch(std::in_place);
     RunFiles files(folder, scenario, recorded,
                    options.resume.empty() ? RunFiles::Place::taken : RunFiles::Place::beside);
     Film film(scenario.name, recorded.scene, recorded.channels);
@@ -114,12 +131,12 @@ io::ExitCode run_scenario(const Options& options, const ScenarioDescription& sce
     const RunSummary summary = record_run(options, before, recorded, simulation, files, film, path, keeper);
     tell_remarks(simulation.vehicle());
     const bool uneven = scenario.output.motion && scenario.road.is_uneven();
-    const std::string report = folder + "/report.html";
     if (uneven) files.announce_road();
     if (scenario.output.report) files.add(report);
     const nlohmann::json facts = summary_json(simulation, summary, files.paths());
-    write_file(folder + "/summary.json", facts.dump(2) + "\n");
+    write_file(told, io::json_text(facts) + "\n");
     const bool kept = keeper.finish(simulation, summary, path);
+    watch.reset();  // what matters is written
     const io::ExitCode outcome = tell(options, summary, facts, simulation.complaints());
 
     // Pictures last: if the disk takes no more of them, all that matters has been said and written.

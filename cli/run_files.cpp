@@ -3,15 +3,10 @@
 #include <filesystem>
 
 #include "hamilcar/io/result_file.hpp"
+#include "hamilcar/io/whole_file.hpp"
 #include "hamilcar/run/scene.hpp"
 
 namespace hamilcar::cli {
-
-namespace {
-std::string beside(const std::string& path) {
-    return path + ".part";
-}
-}  // namespace
 
 Recorded choose_channels(const VehicleDescription& vehicle, const ScenarioDescription& scenario) {
     const std::vector<Channel> all = all_channels(vehicle);
@@ -29,7 +24,11 @@ RunFiles::RunFiles(const std::string& folder, const ScenarioDescription& scenari
       netcdf_path_(folder + "/results.nc"),
       csv_path_(folder + "/results.csv"),
       beside_(place == Place::beside) {
-    const auto name = [&](const std::string& path) { return beside_ ? beside(path) : path; };
+    const auto name = [&](const std::string& path) {
+        if (!beside_) return path;
+        written_.push_back(io::create_beside(path));
+        return written_.back();
+    };
     std::vector<io::Column> columns;
     for (const Channel& channel : recorded.channels) columns.push_back(channel.column);
     if (scenario.output.netcdf) {
@@ -50,7 +49,7 @@ RunFiles::RunFiles(const std::string& folder, const ScenarioDescription& scenari
 RunFiles::~RunFiles() {
     if (!beside_) return;
     std::error_code nothing_there;
-    for (const std::string& path : {netcdf_path_, csv_path_}) std::filesystem::remove(beside(path), nothing_there);
+    for (const std::string& path : written_) std::filesystem::remove(path, nothing_there);
 }
 
 void RunFiles::write(double time, std::span<const double> row) {

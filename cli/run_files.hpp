@@ -51,6 +51,7 @@ private:
     std::string netcdf_path_, csv_path_;
     std::vector<std::string> paths_;
     bool beside_;
+    std::vector<std::string> written_;  // names that are not the files' own
     long rows_ = 0;
 };
 

@@ -11,6 +11,11 @@ namespace {
 nlohmann::json kept(double number) {
     return std::isnan(number) ? nlohmann::json(nullptr) : nlohmann::json(number);
 }
+
+// What is printed as zero with so many digits has no sign.
+double unsigned_zero(double number, int digits) {
+    return std::abs(number) < 0.5 * std::pow(10, -digits) ? 0 : number;
+}
 }  // namespace
 
 nlohmann::json summary_json(const Simulation& simulation, const RunSummary& summary,
@@ -80,7 +85,9 @@ io::Table summary_table(const nlohmann::json& facts) {
 
 void print_summary(const nlohmann::json& facts) {
     const auto& energy = facts["energy"];
-    const auto value = [&](const char* name) { return facts["end_state"][name]["value"].get<double>(); };
+    const auto value = [&](const char* name, int digits = 3) {
+        return unsigned_zero(facts["end_state"][name]["value"].get<double>(), digits);
+    };
     fmt::print("{} with {}: {:.6g} s in {} steps of {:g} s ({}, {} constraints)\n",
                facts["scenario"].get<std::string>(), facts["vehicle"].get<std::string>(),
                facts["simulated_s"].get<double>(), facts["steps"].get<long>(), facts["step_s"].get<double>(),
@@ -88,9 +95,11 @@ void print_summary(const nlohmann::json& facts) {
     if (!facts["ended_by"].is_null()) {
         fmt::print("  ended by         {}\n", facts["ended_by"].get<std::string>());
     }
-    fmt::print("  end state        x {:.3f}, y {:.3f}, z {:.4f} m; speed {:.3f}, {:.3f}, {:.3f} m/s\n",
-               value("chassis.position.x"), value("chassis.position.y"), value("chassis.position.z"),
-               value("chassis.velocity.x"), value("chassis.velocity.y"), value("chassis.velocity.z"));
+    fmt::print("  end state        x {:.3f}, y {:.3f}, z {:.4f} m\n", value("chassis.position.x"),
+               value("chassis.position.y"), value("chassis.position.z", 4));
+    const double x = value("chassis.velocity.x"), y = value("chassis.velocity.y"), z = value("chassis.velocity.z");
+    fmt::print("                   velocity in ground axes x {:.3f}, y {:.3f}, z {:.3f} m/s; speed {:.3f} m/s\n", x, y,
+               z, std::hypot(x, y, z));
     fmt::print("                   roll {:.3f}, pitch {:.3f}, yaw {:.3f} deg\n", value("chassis.angle.roll"),
                value("chassis.angle.pitch"), value("chassis.angle.yaw"));
     fmt::print("  joints           open by {:.2e} m at most\n", facts["worst_constraint_opening_m"].get<double>());

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "hamilcar/analysis/tire_curves.hpp"
+#include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/page.hpp"
 #include "hamilcar/io/tir_file.hpp"
 
@@ -68,7 +69,8 @@ io::Table figures_table(const std::vector<TireFigures>& figures) {
                     {}};
     for (const TireFigures& f : figures) {
         table.rows.push_back({f.load, f.cornering_stiffness / degree, f.slip_stiffness, f.camber_stiffness / degree,
-                              f.peak_y, degree * f.peak_alpha, f.peak_x, f.peak_kappa, f.sliding_x, f.trail});
+                              f.peak_y, degree * f.peak_alpha, f.peak_x, f.peak_kappa, f.sliding_x,
+                              std::isnan(f.trail) ? io::Cell() : io::Cell(f.trail)});
     }
     return table;
 }
@@ -116,9 +118,10 @@ void print_report(const std::string& path, const io::TirFile& file, const std::v
     fmt::print("  {:>8}{:>14}{:>12}{:>12}{:>20}{:>18}{:>9}{:>9}\n", "[N]", "[N/deg]", "[kN]", "[N/deg]", "[1] at [deg]",
                "[1] at [1]", "[1]", "[mm]");
     for (const TireFigures& f : figures) {
-        fmt::print("  {:>8.0f}{:>14.1f}{:>12.2f}{:>12.1f}{:>11.3f} at {:>5.1f}{:>10.3f} at {:>4.3f}{:>9.3f}{:>9.1f}\n",
+        const std::string trail = std::isnan(f.trail) ? "none" : fmt::format("{:.1f}", 1e3 * f.trail);
+        fmt::print("  {:>8.0f}{:>14.1f}{:>12.2f}{:>12.1f}{:>11.3f} at {:>5.1f}{:>10.3f} at {:>4.3f}{:>9.3f}{:>9}\n",
                    f.load, f.cornering_stiffness / degree, 1e-3 * f.slip_stiffness, f.camber_stiffness / degree,
-                   f.peak_y, degree * f.peak_alpha, f.peak_x, f.peak_kappa, f.sliding_x, 1e3 * f.trail);
+                   f.peak_y, degree * f.peak_alpha, f.peak_x, f.peak_kappa, f.sliding_x, trail);
     }
     if (!file.notes.empty()) fmt::print("\n");
     for (const std::string& note : file.notes) fmt::print("note: {}\n", note);
@@ -134,7 +137,7 @@ io::ExitCode tire(const Options& options) {
     for (const double share : {0.25, 0.5, 1.0, 1.5, 2.0}) loads.push_back(share * file.tire.nominal_load);
     for (const double load : loads) figures.push_back(tire_figures(tire, load));
     if (options.json) {
-        fmt::print("{}\n", json_of(file, figures).dump(2));
+        fmt::print("{}\n", io::json_text(json_of(file, figures)));
     } else {
         print_report(options.file, file, figures);
     }

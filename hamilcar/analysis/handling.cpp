@@ -15,9 +15,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 
 #include "hamilcar/analysis/held_axle.hpp"
+#include "hamilcar/analysis/no_solution.hpp"
 #include "hamilcar/steering/column.hpp"
 
 namespace hamilcar {
@@ -101,11 +101,11 @@ SteeringGeometry geometry(const Linearizer& linearizer, const OperatingPoint& at
 
 OperatingPoint found_point(const Linearizer& linearizer, const Operation& operation) {
     if (!(operation.speed > 0)) {
-        throw std::domain_error(
+        throw NoSolution(
             fmt::format("handling is that of a vehicle that drives: got a speed of {} m/s", operation.speed));
     }
     const OperatingPoint at = linearizer.operating_point(operation);
-    if (!at.found) throw std::domain_error(at.problem);
+    if (!at.found) throw NoSolution(at.problem);
     return at;
 }
 

@@ -39,7 +39,7 @@ struct SteadyHandling {
 // At any steady motion that has a speed.
 SteadyHandling steady_handling(const Linearizer& linearizer, const OperatingPoint& at);
 
-// Straight ahead. Throws std::domain_error with the reason where there is no such motion.
+// Straight ahead. Throws NoSolution with the reason where there is no such motion.
 SteadyHandling steady_handling(const VehicleDescription& vehicle, double speed);
 
 // The test on a circle: how the angle of the steering wheel grows with lateral acceleration as the vehicle goes round the
@@ -48,7 +48,7 @@ SteadyHandling steady_handling(const VehicleDescription& vehicle, double speed);
 // geometry on; lift, drag and what drives against it bend it.
 double constant_radius_gradient(const Linearizer& linearizer, const OperatingPoint& at);
 
-// The same from a circle's radius and a speed; negative radii turn to the right. Throws std::domain_error.
+// The same from a circle's radius and a speed; negative radii turn to the right. Throws NoSolution.
 double constant_radius_gradient(const VehicleDescription& vehicle, double radius, double speed);
 
 // Response of an output to the steering wheel, per radian of it, at angular frequencies [rad/s]. Displacement and rate of the

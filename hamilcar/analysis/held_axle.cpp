@@ -1,6 +1,7 @@
 #include "hamilcar/analysis/held_axle.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "hamilcar/block/initial_process.hpp"
@@ -33,17 +34,38 @@ HeldAxle::HeldAxle(const VehicleDescription& vehicle, const Model<double>& model
     }
 }
 
+// Newton's method finds some closed linkage; that it is the one that this motion leads to shows in a wheel that turns a little
+// from step to step. Where halving the step leaves the turn as it is, the linkage has jumped over a dead center.
 std::string HeldAxle::move(double left, double right, double rack) {
-    constexpr int lead_in = 4;
+    constexpr double lead_in = 0.25, finest = lead_in / 1024;  // of the way
+    constexpr double most_turn = 0.05;                         // of a wheel's axis in one step [rad]
     const double from_left = travel(axle_.left), from_right = travel(axle_.right), from_rack = rack_;
-    for (int i = 1; i <= lead_in; ++i) {
-        const double share = double(i) / lead_in;
+    double done = 0, step = lead_in;
+    while (done < 1) {
+        const double share = std::min(done + step, 1.0), rack_before = rack_;
+        const State<double> before = state_;
+        const std::vector<WheelMotion> earlier = wheels();
         rack_ = from_rack + share * (rack - from_rack);
-        const std::string problem =
-            reach(from_left + share * (left - from_left), from_right + share * (right - from_right));
-        if (!problem.empty()) return problem;
+        std::string problem = reach(from_left + share * (left - from_left), from_right + share * (right - from_right));
+        if (problem.empty() && turned_since(earlier) <= most_turn) {
+            done = share;
+            continue;
+        }
+        if (problem.empty()) problem = "the linkage of " + axle_.name + " is at a dead center";
+        if (step <= finest) return problem;
+        state_ = before, rack_ = rack_before;
+        step /= 2;
     }
     return {};
+}
+
+double HeldAxle::turned_since(const std::vector<WheelMotion>& earlier) const {
+    const std::vector<WheelMotion> now = wheels();
+    double most = 0;
+    for (const std::size_t wheel : {axle_.left, axle_.right}) {
+        most = std::max(most, (now[wheel].axis - earlier[wheel].axis).norm());
+    }
+    return most;
 }
 
 Eigen::VectorXd HeldAxle::motion_for(const WheelMotion& left, const WheelMotion& right, const Eigen::Vector2d& rates) {

@@ -20,7 +20,8 @@ class HeldAxle {
 public:
     HeldAxle(const VehicleDescription& vehicle, const Model<double>& model, const AxleWheels& axle);
 
-    // Brings both wheels to their travels [m], a bit at a time, and the rack; the reason if they do not get there.
+    // Brings both wheels to their travels [m], a bit at a time, and the rack; the reason if they do not get there without leaving
+    // the branch of the linkage that they are on.
     std::string move(double left, double right, double rack);
 
     std::vector<WheelMotion> wheels() const { return wheel_motions(*vehicle_, *model_, state_, rack_); }
@@ -31,6 +32,7 @@ public:
 
 private:
     double travel(std::size_t wheel) const;
+    double turned_since(const std::vector<WheelMotion>& earlier) const;  // the axle's wheels, by their axes [rad]
     std::string reach(double left_travel, double right_travel);
     std::string open_joint() const;
 

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <stdexcept>
 
 #include "hamilcar/analysis/held_axle.hpp"
 #include "hamilcar/analysis/loops.hpp"
+#include "hamilcar/analysis/no_solution.hpp"
 #include "hamilcar/block/initial_process.hpp"
 #include "hamilcar/block/road_wheels.hpp"
 
@@ -223,7 +223,7 @@ std::vector<AxleReport> kinematics(const VehicleDescription& vehicle, const Swee
     const Model<double> model{.vehicle = Vehicle<double>(vehicle), .road = PlaneRoad<double>(0, 0, 1)};
     State<double> state = design_state(model, Vec3<double>::Zero(), Mat3<double>::Identity());
     const AssemblyResult assembly = assemble(model, {}, state);
-    if (!assembly.assembled) throw std::domain_error(assembly_problem(vehicle, model, assembly.worst));
+    if (!assembly.assembled) throw NoSolution(assembly_problem(vehicle, model, assembly.worst));
     const std::vector<WheelMotion> wheels = wheel_motions(vehicle, model, state, 0);
     const std::vector<WheelShare> shares = shares_of(vehicle);
     const Vec3<double> center = mass_moment(model, velocity_block(model, state, {})) / model.vehicle.total_mass;

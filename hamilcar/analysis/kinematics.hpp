@@ -51,7 +51,7 @@ struct SweepRange {
     int steps = 40;        // from end to end
 };
 
-// Every axle of the vehicle that has two wheels. Throws std::domain_error where the vehicle does not assemble at design.
+// Every axle of the vehicle that has two wheels. Throws NoSolution where the vehicle does not assemble at design.
 std::vector<AxleReport> kinematics(const VehicleDescription& vehicle, const SweepRange& range);
 
 }  // namespace hamilcar

@@ -1,6 +1,7 @@
 #include "hamilcar/analysis/tire_curves.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace hamilcar {
 
@@ -70,7 +71,10 @@ TireFigures tire_figures(const Tire<double>& tire, double load) {
     const TireForce<double> left = force(0, probe), right = force(0, -probe);
     f.cornering_stiffness = (right.Fy - left.Fy) / (2 * probe);
     f.camber_stiffness = (force(0, 0, -probe).Fy - force(0, 0, probe).Fy) / (2 * probe);
-    f.trail = (left.Mz - right.Mz) / (right.Fy - left.Fy);
+    constexpr double nothing = 1e-9;  // of the load: rounding, and no force to have a trail
+    const double lateral = right.Fy - left.Fy;
+    const bool corners = std::abs(lateral) > nothing * load;
+    f.trail = corners ? (left.Mz - right.Mz) / lateral : std::numeric_limits<double>::quiet_NaN();
     for (int i = 1; i <= 600; ++i) {
         const double alpha = 1e-3 * i, kappa = 1e-3 * i;
         const double y = std::abs(force(0, alpha).Fy) / load, x = force(kappa, 0).Fx / load;

@@ -28,7 +28,7 @@ struct TireFigures {
     double peak_y, peak_alpha;   // largest |Fy| / Fz to the one side, and where [1, rad]
     double peak_x, peak_kappa;   // largest Fx / Fz in driving [1, 1]
     double sliding_x;            // |Fx| / Fz of a locked wheel [1]
-    double trail;                // pneumatic, at small slip angles [m]
+    double trail;                // pneumatic, at small slip angles [m]; NaN without cornering stiffness
 };
 
 TireFigures tire_figures(const Tire<double>& tire, double load);

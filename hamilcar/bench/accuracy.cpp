@@ -48,7 +48,7 @@ Trace reference_path(const VehicleDescription& vehicle, ScenarioDescription scen
     return drive(vehicle, scenario).path;
 }
 
-TrialResult run_trial(const VehicleDescription& vehicle, ScenarioDescription scenario, const Trial& trial,
+TrialResult run_trial(const VehicleDescription& vehicle, ScenarioDescription scenario, const AccuracyTrial& trial,
                       const Trace& reference, int times) {
     scenario.solver.integrator = trial.integrator;
     scenario.solver.step = trial.step;
@@ -67,7 +67,7 @@ TrialResult run_trial(const VehicleDescription& vehicle, ScenarioDescription sce
     return result;
 }
 
-std::vector<Trial> usual_trials() {
+std::vector<AccuracyTrial> usual_trials() {
     constexpr auto exact = ConstraintMode::exact, stabilized = ConstraintMode::stabilized;
     return {
         {"ab2", 1e-3, exact},          {"ab2", 5e-4, exact},          {"ab3", 2e-3, exact},

@@ -15,7 +15,7 @@ inline constexpr double path_interval = 0.1;  // [s]
 // Largest distance between the two at one time [m]; infinite where one ends early.
 double path_error(const Trace& path, const Trace& reference);
 
-struct Trial {
+struct AccuracyTrial {
     std::string integrator;
     double step;  // [s]
     ConstraintMode constraints = ConstraintMode::exact;
@@ -23,7 +23,7 @@ struct Trial {
 };
 
 struct TrialResult {
-    Trial trial;
+    AccuracyTrial trial;
     double path_error;  // [m]
     double violation;   // the largest opening of a cut joint, ten times a second [m]
     double wall_time;   // [s]
@@ -33,10 +33,10 @@ struct TrialResult {
 Trace reference_path(const VehicleDescription& vehicle, ScenarioDescription scenario);
 
 // Driven so often; the median of the times counts.
-TrialResult run_trial(const VehicleDescription& vehicle, ScenarioDescription scenario, const Trial& trial,
+TrialResult run_trial(const VehicleDescription& vehicle, ScenarioDescription scenario, const AccuracyTrial& trial,
                       const Trace& reference, int times);
 
 // All integrators worth a look, in both constraint modes.
-std::vector<Trial> usual_trials();
+std::vector<AccuracyTrial> usual_trials();
 
 }  // namespace hamilcar

@@ -114,7 +114,7 @@ BenchReport bench(const VehicleDescription& vehicle, double seconds,
     ScenarioDescription scenario = lane_change();
     scenario.duration = report.trial_duration = std::clamp(std::round(seconds), 2.0, scenario.duration);
     const Trace reference = reference_path(vehicle, scenario);
-    for (const Trial& trial : usual_trials()) {
+    for (const AccuracyTrial& trial : usual_trials()) {
         report.trials.push_back(run_trial(vehicle, scenario, trial, reference, seconds < 5 ? 1 : 3));
     }
     return report;

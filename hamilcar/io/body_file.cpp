@@ -7,6 +7,9 @@
 #include "hamilcar/math/eigen.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace hamilcar::io {
 
@@ -27,15 +30,29 @@ Vec3<double> principal_moments(const Mat3<double>& inertia) {
     return Eigen::SelfAdjointEigenSolver<Mat3<double>>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
+bool obeys_triangle(const Vec3<double>& moments) {
+    return moments[2] <= (moments[0] + moments[1]) * (1 + rounding);
+}
+
+// The wheel's spin inertia lies about its own axis: where an upright wheel would do, it is the tilt that somebody mistyped.
+std::string tilt_at_fault(const Mat3<double>& resting, const WheelDescription& wheel) {
+    const Vec3<double> left = Vec3<double>::UnitY();
+    if (!obeys_triangle(principal_moments(resting + wheel.spin_inertia * left * left.transpose()))) return "";
+    const double tilt = std::acos(std::clamp(wheel.spin_axis[1], -1.0, 1.0)) * 180 / std::numbers::pi;
+    return ", which it would not be were the wheel upright: with camber_deg and toe_in_deg (or spin_axis) its axis is "
+           "tilted by " +
+           number_text(tilt) + " deg";
+}
+
 void check_inertia(const TableReader& table, const BodyDescription& body, const WheelDescription& wheel) {
     const Vec3<double> axis = vec3(wheel.spin_axis);
     const Mat3<double> resting = inertia_matrix(body), whole = resting + wheel.spin_inertia * axis * axis.transpose();
     const Vec3<double> least = principal_moments(resting), moments = principal_moments(whole);
     table.expect(least[0] >= -rounding * least[2], "inertia_kg_m2",
                  "no principal moment below zero (here " + number_text(least[0]) + ")");
-    table.expect(moments[2] <= (moments[0] + moments[1]) * (1 + rounding), "inertia_kg_m2",
+    table.expect(obeys_triangle(moments), "inertia_kg_m2",
                  "no principal moment above the sum of the other two (here " + number_text(moments[0]) + ", " +
-                     number_text(moments[1]) + ", " + number_text(moments[2]) + ")");
+                     number_text(moments[1]) + ", " + number_text(moments[2]) + ")" + tilt_at_fault(resting, wheel));
 }
 
 }  // namespace
@@ -53,7 +70,7 @@ bool has_room_for(const BodyDescription& body, const std::vector<std::pair<doubl
     Mat3<double> rest = inertia_matrix(body);
     for (const auto& [inertia, axis] : rotors) rest -= inertia * vec3(axis) * vec3(axis).transpose();
     const Vec3<double> moments = principal_moments(rest);
-    return moments[0] > 0 && moments[2] <= (moments[0] + moments[1]) * (1 + rounding);
+    return moments[0] > 0 && obeys_triangle(moments);
 }
 
 }  // namespace hamilcar::io

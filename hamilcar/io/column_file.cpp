@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <numbers>
 
 #include "hamilcar/io/crg_text.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/key_unit.hpp"
 #include "hamilcar/io/spelling.hpp"
+#include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::io {
 
@@ -172,20 +169,18 @@ Samples parse_columns(std::string_view text, const std::string& path, const Colu
 
 std::string read_named_file(const TableReader& table, std::string_view key) {
     const std::string path = table.path_to_file(key);
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    std::string text;
-    if (file) {
-        char block[1 << 16];
-        while (const std::size_t count = std::fread(block, 1, sizeof block, file.get())) text.append(block, count);
-        if (!std::ferror(file.get())) return text.starts_with(byte_order_mark) ? text.substr(3) : text;
-    }
-    const std::string cause = std::strerror(errno);
     try {
-        table.expect(false, key, "a file that can be read, but " + path + ": " + cause);
-    } catch (const Error& at_key) {
-        throw Error(ExitCode::input_output, at_key.what());
+        std::string text = read_whole_file(path, LargestFile::columns);
+        if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+        return text;
+    } catch (const Error& unreadable) {
+        try {
+            table.expect(false, key, std::string("a file that can be read, but ") + unreadable.what());
+        } catch (const Error& at_key) {
+            throw Error(unreadable.code(), at_key.what());
+        }
+        throw;
     }
-    return text;
 }
 
 }  // namespace hamilcar::io

@@ -6,22 +6,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 
 #include "hamilcar/io/crg_modifiers.hpp"
 #include "hamilcar/io/crg_rows.hpp"
 #include "hamilcar/io/error.hpp"
+#include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::io {
 
 namespace crg {
 
 namespace {
-
-constexpr double largest_file = 4e9;  // [byte]
 
 // Start and spacing of the reference line. The virtual channel repeats them, rounded; it counts where no key tells
 // them.
@@ -162,21 +158,7 @@ CrgDescription parse_crg(std::string_view bytes, const std::string& name) {
 }
 
 CrgDescription read_crg(const std::string& path) {
-    const auto fail = [&] {
-        throw Error(ExitCode::input_output, fmt::format("{}: cannot read: {}", path, std::strerror(errno)));
-    };
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    if (!file) fail();
-    std::string bytes, chunk(1 << 20, '\0');
-    do {
-        file.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
-        bytes.append(chunk, 0, static_cast<std::size_t>(file.gcount()));
-        if (static_cast<double>(bytes.size()) > crg::largest_file)
-            throw Error(ExitCode::bad_file, fmt::format("{}: expected an OpenCRG file of 4 GB at most", path));
-    } while (file);
-    if (file.bad()) fail();
-    return parse_crg(bytes, path);
+    return parse_crg(read_whole_file(path, LargestFile::road), path);
 }
 
 }  // namespace hamilcar::io

@@ -4,11 +4,8 @@
 
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <fstream>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -17,6 +14,7 @@
 #include "hamilcar/io/crg_text.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/number_text.hpp"
+#include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::io {
 
@@ -93,7 +91,7 @@ void append_options(std::string& text, const CrgDescription& d) {
 }
 
 void append_definition(std::string& text, const CrgDescription& d, const char* format, bool even) {
-    text += fmt::format("$KD_DEFINITION\n#:{}\nU:reference line u,m,{:.3f},{:.3f}\n", format, d.u_start, d.u_increment);
+    text += fmt::format("$KD_DEFINITION\n#:{}\nU:reference line u,m,{:.3f},{}\n", format, d.u_start, d.u_increment);
     if (!d.headings.empty()) text += "D:reference line phi,rad\n";
     if (!d.slopes.empty()) text += "D:reference line slope,m/m\n";
     if (!d.bankings.empty()) text += "D:reference line banking,m/m\n";
@@ -147,11 +145,7 @@ void write_crg(const CrgDescription& d, const std::string& path, CrgFormat forma
     append_options(text, d);
     append_definition(text, d, names[static_cast<std::size_t>(format)], even);
     append_rows(text, d, format);
-    errno = 0;
-    std::ofstream file(path, std::ios::binary);
-    file.write(text.data(), static_cast<std::streamsize>(text.size()));
-    file.close();
-    if (!file) throw Error(ExitCode::input_output, fmt::format("{}: cannot write: {}", path, std::strerror(errno)));
+    write_whole_file(path, {text});
 }
 
 }  // namespace hamilcar::io

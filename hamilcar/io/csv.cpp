@@ -12,6 +12,7 @@
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/number_text.hpp"
 #include "hamilcar/io/results.hpp"
+#include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::io {
 
@@ -40,7 +41,7 @@ public:
     CsvWriter(const std::string& path, const std::vector<Column>& columns)
         : path_(path),
           width_(columns.size()),
-          file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+          file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666)) {
         if (file_ < 0) fail(path_, "open for writing");
         append_heading(pending_, "time", "s");
         for (const Column& column : columns) append_heading(pending_ += ',', column.name, column.unit);
@@ -113,6 +114,7 @@ private:
 }  // namespace
 
 std::unique_ptr<ResultWriter> open_csv(const std::string& path, const std::vector<Column>& columns) {
+    expect_writable_place(path);
     auto writer = std::make_unique<CsvWriter>(path, columns);
     writer->flush();  // a disk that takes no headings is better known before the run than after
     return writer;

@@ -16,8 +16,8 @@ namespace hamilcar::io {
 
 namespace {
 
-constexpr Range whole_gear{"whole number from -1 to 20", -1, max_gears};
-constexpr Range whole_forward_gear{"whole number from 1 to 20", 1, max_gears};
+constexpr Range whole_gear{"whole number from -1 to 20", -1, max_gears, true, true};
+constexpr Range whole_forward_gear{"whole number from 1 to 20", 1, max_gears, true, true};
 constexpr Range preview{"number from 0.2 to 5", 0.2, 5};           // below, arms and tires leave nothing to decide [s]
 constexpr Range interval{"number from 0.001 to 0.1", 0.001, 0.1};  // [s]
 
@@ -85,20 +85,15 @@ SpeedControlDescription read_speed(const TableReader& table) {
     return out;
 }
 
-int read_gear_number(const TableReader& table, std::string_view key, double number, const Range& range) {
-    table.expect(number == std::floor(number), key, "a " + std::string(range.words));
-    return table.is_recording() ? 1 : static_cast<int>(number);
-}
-
 ShiftingDescription read_gear(const TableReader& table) {
     ShiftingDescription out;
     if (table.chosen({{"choice"}, {"number"}}) == 1) {
-        out.gear = read_gear_number(table, "number", table.number("number", whole_gear), whole_gear);
+        const double number = table.number("number", whole_gear);
+        out.gear = table.is_recording() ? 1 : static_cast<int>(number);
         return out;
     }
     table.one_of("choice", std::array<std::string_view, 1>{"automatic"}, 0);
-    const double first = table.number("first", whole_forward_gear, out.first_gear);
-    out.first_gear = read_gear_number(table, "first", first, whole_forward_gear);
+    out.first_gear = static_cast<int>(table.number("first", whole_forward_gear, out.first_gear));
     return out;
 }
 

@@ -14,7 +14,8 @@ enum class ExitCode : int {
     usage = 2,         // command line
     bad_file = 3,      // vehicle or scenario file
     numerical = 4,     // no assembly, singular linkage, non-finite state
-    input_output = 5,  // a path that cannot be read or written, a full disk
+    input_output = 5,  // a path that cannot be read or written, a full disk, no memory
+    internal = 6,      // a fault of the program's own
     interrupted = 130
 };
 

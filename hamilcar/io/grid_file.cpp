@@ -6,11 +6,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 #include "hamilcar/io/error.hpp"
+#include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::io {
 
@@ -124,11 +123,7 @@ HeightGridDescription parse_grid(std::string_view text, const std::string& path)
 }
 
 HeightGridDescription read_grid(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file) throw Error(ExitCode::input_output, path + ": cannot read");
-    return parse_grid(text.str(), path);
+    return parse_grid(read_whole_file(path, LargestFile::road), path);
 }
 
 }  // namespace hamilcar::io

@@ -20,6 +20,7 @@ ValueRule of_shape(unsigned shape) {
 ValueRule in_range(unsigned shape, const Range& range) {
     ValueRule rule = of_shape(shape);
     rule.least = range.least, rule.most = range.most, rule.least_included = range.least_included;
+    rule.is_whole = range.is_whole;
     return rule;
 }
 

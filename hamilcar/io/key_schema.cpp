@@ -14,6 +14,7 @@ Json number_schema(const ValueRule& rule) {
     Json out{{"type", "number"}};
     if (std::isfinite(rule.least)) out[rule.least_included ? "minimum" : "exclusiveMinimum"] = rule.least;
     if (std::isfinite(rule.most)) out["maximum"] = rule.most;
+    if (rule.is_whole) out["multipleOf"] = 1;
     return out;
 }
 

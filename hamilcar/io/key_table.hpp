@@ -29,6 +29,7 @@ struct ValueRule {
     double least = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
     bool least_included = true;
+    bool is_whole = false;           // no fraction
     std::size_t count = 0;           // of numbers in a list; 0: any but none
     std::vector<std::string> words;  // one of these; none: any text
     std::variant<std::monostate, bool, double, std::string, std::vector<double>> otherwise;  // in the key's unit

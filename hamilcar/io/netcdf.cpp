@@ -15,6 +15,7 @@
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/number_text.hpp"
 #include "hamilcar/io/results.hpp"
+#include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::io {
 
@@ -30,10 +31,7 @@ class NetcdfWriter final : public ResultWriter {
 public:
     NetcdfWriter(const std::string& path, const std::vector<Column>& columns, const Attributes& attributes)
         : path_(path) {
-        // The library deletes what it could not create, a device node too.
-        if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path)) {
-            throw Error(ExitCode::input_output, path_ + ": cannot open for writing: not a regular file");
-        }
+        expect_writable_place(path);  // the library deletes what it could not create, a device node too
         std::size_t buffer = file_buffer;
         check(nc__create(path.c_str(), NC_CLOBBER | NC_64BIT_OFFSET, 0, &buffer, &file_), "open for writing");
         try {

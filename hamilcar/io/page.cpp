@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "hamilcar/io/error.hpp"
+#include "hamilcar/io/json_text.hpp"
+#include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::io {
 
@@ -131,13 +130,13 @@ json run_json(const PageRun& run, ColumnBlock& numbers) {
     return {{"name", run.name},
             {"file", run.file},
             {"channels", channels},
-            {"scene", run.scene.empty() ? json(nullptr) : json::parse(run.scene)},
+            {"scene", run.scene.empty() ? json(nullptr) : parse_json(run.scene)},
             {"tiles", tiles}};
 }
 
 // Nothing in the text can end the element that it stands in.
 std::string script_safe(const json& document) {
-    const std::string text = document.dump(-1, ' ', false, json::error_handler_t::replace);
+    const std::string text = json_text(document, -1);
     std::string safe;
     safe.reserve(text.size());
     for (const char c : text) {
@@ -176,11 +175,9 @@ void write_page(const std::string& path, const Page& page) {
     const std::string_view text = page_template();
     const std::size_t at_document = text.rfind(document_tag) + document_tag.size();
     const std::size_t at_columns = text.rfind(columns_tag) + columns_tag.size();
-    std::ofstream file(path, std::ios::binary);
-    file << text.substr(0, at_document) << script_safe(document) << text.substr(at_document, at_columns - at_document)
-         << numbers.base64() << text.substr(at_columns);
-    file.close();
-    if (!file) throw Error(ExitCode::input_output, path + ": cannot write: " + std::strerror(errno));
+    write_whole_file(
+        path, {text.substr(0, at_document), script_safe(document), text.substr(at_document, at_columns - at_document),
+               numbers.base64(), text.substr(at_columns)});
 }
 
 }  // namespace hamilcar::io

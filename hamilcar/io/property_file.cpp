@@ -4,23 +4,19 @@
 #include "hamilcar/io/property_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "hamilcar/io/error.hpp"
+#include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::io {
 
 namespace {
 
-constexpr std::size_t most_bytes = 4'000'000;       // a hundred times an ordinary tire file
 constexpr std::string_view blanks = " \t\v\f\x1a";  // also the end-of-file mark of old DOS editors
 constexpr std::string_view quotes = "'\"";
 constexpr std::string_view separators = " \t\v\f\x1a,";
@@ -66,7 +62,7 @@ public:
     explicit Parser(const std::string& path) { file_.path = path; }
 
     PropertyFile parse(std::string_view text) {
-        if (text.size() > most_bytes) fail("more than 4 MB: expected a property file of up to 4 MB");
+        if (text.size() > LargestFile::tire) fail("more than 4 MB: expected a property file of up to 4 MB");
         if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark
         if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) fail("UTF-16: expected UTF-8 or Latin-1");
         while (!text.empty()) {
@@ -222,13 +218,7 @@ const PropertyEntry* PropertyFile::find(std::string_view section, std::string_vi
 }
 
 PropertyFile read_property_file(const std::string& path) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    if (file) {
-        std::string text(most_bytes + 1, '\0');  // one more than is accepted, so an endless device ends as a mistake
-        text.resize(std::fread(text.data(), 1, text.size(), file.get()));
-        if (!std::ferror(file.get())) return parse_property_file(text, path);
-    }
-    throw Error(ExitCode::input_output, path + ": cannot read: " + std::strerror(errno));
+    return parse_property_file(read_whole_file(path, LargestFile::tire), path);
 }
 
 PropertyFile parse_property_file(std::string_view text, const std::string& path) {

@@ -3,17 +3,22 @@
 #include <fmt/format.h>
 #include <netcdf.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "hamilcar/io/error.hpp"
+#include "hamilcar/io/json_text.hpp"
+#include "hamilcar/io/netcdf_header.hpp"
+#include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::io {
 
 namespace {
 
+constexpr std::size_t file_buffer = 1 << 20;  // of the library [byte]
 constexpr std::size_t heights_of_tile = std::size_t{tile_nodes} * std::size_t{tile_nodes};
 
 // An open netCDF file that closes itself.
@@ -23,16 +28,13 @@ public:
 
     NetcdfFile(const std::string& path, Mode mode) : path_(path) {
         if (mode == Mode::create) {
+            expect_writable_place(path);
             check(nc_create(path.c_str(), NC_CLOBBER | NC_64BIT_OFFSET, &id_), "open for writing");
             return;
         }
-        if (!std::filesystem::exists(path)) throw Error(ExitCode::input_output, path + ": no such file");
-        const int status = nc_open(path.c_str(), NC_NOWRITE, &id_);
-        if (status == NC_NOERR) return;
-        const bool csv = std::filesystem::path(path).extension() == ".csv";
-        throw Error(ExitCode::bad_file,
-                    path + ": expected a netCDF file of results (results.nc): " +
-                        (csv ? "a table of text has no units and no picture" : std::string(nc_strerror(status))));
+        check_netcdf_header(path);
+        std::size_t buffer = file_buffer;
+        check(nc__open(path.c_str(), NC_NOWRITE, &buffer, &id_), "read");
     }
     NetcdfFile(const NetcdfFile&) = delete;
     NetcdfFile& operator=(const NetcdfFile&) = delete;
@@ -62,7 +64,11 @@ private:
 
 // Whether a picture can be drawn of it, and whether its road needs tiles.
 bool check_scene(const std::string& path, const std::string& text) {
-    const auto scene = nlohmann::json::parse(text, nullptr, false);
+    const nlohmann::json scene = parse_json(text);
+    if (scene.is_discarded()) {
+        throw Error(ExitCode::bad_file,
+                    fmt::format("{}: attribute 'scene': expected JSON, nested {} deep at most", path, deepest_json));
+    }
     for (const char* part : {"frames", "links", "wheels", "tires", "bodies"}) {
         if (scene.is_object() && scene.contains(part) && scene[part].is_array()) continue;
         throw Error(ExitCode::bad_file,
@@ -74,7 +80,33 @@ bool check_scene(const std::string& path, const std::string& text) {
     if (road == scene.end() || !road->is_object()) {
         throw Error(ExitCode::bad_file, path + ": attribute 'scene': expected a road in it");
     }
-    return road->value("uneven", false);
+    const auto uneven = road->find("uneven");
+    if (uneven == road->end()) return false;
+    if (uneven->is_boolean()) return uneven->get<bool>();
+    throw Error(ExitCode::bad_file, path + ": attribute 'scene': expected 'uneven' of its road to be true or false");
+}
+
+// Whether a variable is numbers over one dimension, the given one.
+bool is_series(const NetcdfFile& file, int variable, int dimension) {
+    int dimensions = 0, first = 0;
+    nc_type type = NC_NAT;
+    file.check(nc_inq_varndims(file.id(), variable, &dimensions), "read a shape");
+    file.check(nc_inq_vartype(file.id(), variable, &type), "read a type");
+    if (dimensions != 1 || type == NC_CHAR || type == NC_STRING) return false;
+    return nc_inq_vardimid(file.id(), variable, &first) == NC_NOERR && first == dimension;
+}
+
+// Of every column all rows. A block of rows at a time: in the file all columns of a row stand together.
+std::vector<std::vector<double>> read_rows(const NetcdfFile& file, const std::vector<int>& columns, std::size_t rows) {
+    constexpr std::size_t rows_per_block = 1024;
+    std::vector<std::vector<double>> values(columns.size(), std::vector<double>(rows));
+    for (std::size_t row = 0; row < rows; row += rows_per_block) {
+        const std::size_t count = std::min(rows_per_block, rows - row);
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            file.check(nc_get_vara_double(file.id(), columns[i], &row, &count, values[i].data() + row), "read rows");
+        }
+    }
+    return values;
 }
 
 // The dimensions of a variable, by their lengths.
@@ -118,32 +150,25 @@ ResultFile read_result(const std::string& path) {
     ResultFile result{file.text(NC_GLOBAL, "title"), file.text(NC_GLOBAL, scene_attribute), {}, {}, {}};
     int time = 0, variables = 0, dimension = 0;
     std::size_t rows = 0;
-    if (nc_inq_dimid(file.id(), "time", &dimension) != NC_NOERR || nc_inq_varid(file.id(), "time", &time) != NC_NOERR) {
+    if (nc_inq_dimid(file.id(), "time", &dimension) != NC_NOERR || nc_inq_varid(file.id(), "time", &time) != NC_NOERR ||
+        !is_series(file, time, dimension)) {
         throw Error(ExitCode::bad_file, path +
-                                            ": expected a result of hamilcar, with a variable time [s] over a "
-                                            "dimension time");
+                                            ": expected a result of hamilcar, with a variable time [s] of numbers over "
+                                            "the dimension time alone");
     }
     file.check(nc_inq_dimlen(file.id(), dimension, &rows), "read the dimension time");
     if (rows == 0) throw Error(ExitCode::bad_file, path + ": expected at least one row of results, found none");
     file.check(nc_inq_nvars(file.id(), &variables), "count the variables");
-    const auto read = [&](int variable) {
-        std::array<char, NC_MAX_NAME + 1> name{};
-        int dimensions = 0, first = 0;
-        nc_type type = NC_NAT;
-        file.check(nc_inq_varname(file.id(), variable, name.data()), "read a name");
-        file.check(nc_inq_varndims(file.id(), variable, &dimensions), std::string("read the shape of ") + name.data());
-        file.check(nc_inq_vartype(file.id(), variable, &type), std::string("read the type of ") + name.data());
-        if (type == NC_CHAR || type == NC_STRING) return;
-        if (dimensions != 1 || nc_inq_vardimid(file.id(), variable, &first) != NC_NOERR || first != dimension) return;
-        std::vector<double> values(rows);
-        file.check(nc_get_var_double(file.id(), variable, values.data()), std::string("read ") + name.data());
-        result.columns.push_back({name.data(), file.text(variable, "units"), file.text(variable, "long_name")});
-        result.values.push_back(std::move(values));
-    };
-    read(time);
+    std::vector<int> columns{time};
     for (int variable = 0; variable < variables; ++variable) {
-        if (variable != time) read(variable);
+        if (variable != time && is_series(file, variable, dimension)) columns.push_back(variable);
     }
+    for (const int variable : columns) {
+        std::array<char, NC_MAX_NAME + 1> name{};
+        file.check(nc_inq_varname(file.id(), variable, name.data()), "read a name");
+        result.columns.push_back({name.data(), file.text(variable, "units"), file.text(variable, "long_name")});
+    }
+    result.values = read_rows(file, columns, rows);
     const std::string tiles = tiles_beside(path);
     const bool uneven = !result.scene.empty() && check_scene(path, result.scene);
     if (uneven && std::filesystem::exists(tiles)) result.tiles = read_tiles(tiles);

@@ -20,7 +20,7 @@ SolverDescription read_solver(const TableReader& table) {
     std::ranges::transform(methods, names.begin(), &Method::name);
     SolverDescription solver;
     const auto usual = static_cast<std::size_t>(std::ranges::find(names, solver.integrator) - names.begin());
-    solver.step = table.number("step_s", positive, solver.step);
+    solver.step = table.number("step_s", time_step, solver.step);
     solver.integrator = names[table.one_of("integrator", names, usual)];
     solver.tolerance = table.number("tolerance", positive, solver.tolerance);
     solver.constraints = word<ConstraintMode>(table, "constraints", {"exact", ConstraintMode::exact},
@@ -44,6 +44,11 @@ SolverDescription read_solver(const TableReader& table) {
     return solver;
 }
 
+template <std::size_t N>
+bool is_within(const std::array<double, N>& numbers, double most) {
+    return std::ranges::all_of(numbers, [most](double number) { return std::abs(number) <= most; });
+}
+
 // A single number is a speed straight ahead.
 std::array<double, 3> read_velocity(const TableReader& table) {
     constexpr std::string_view key = "velocity_m_per_s";
@@ -51,14 +56,19 @@ std::array<double, 3> read_velocity(const TableReader& table) {
 }
 
 InitialDescription read_initial(const TableReader& table) {
+    constexpr Range height{"number from -1e5 to 1e5", -1e5, 1e5}, angle{"number from -36000 to 36000", -36000, 36000};
+    constexpr double fastest = 1000;  // [m/s], [rad/s]
     const InitialDescription initial{.settle = table.boolean("settle", true),
                                      .position = table.array<2>("position_m", {0, 0}),
-                                     .height = table.number("height_m", any_number, 0),
-                                     .yaw = table.number("yaw_deg", any_number, 0),
-                                     .roll = table.number("roll_deg", any_number, 0),
-                                     .pitch = table.number("pitch_deg", any_number, 0),
+                                     .height = table.number("height_m", height, 0),
+                                     .yaw = table.number("yaw_deg", angle, 0),
+                                     .roll = table.number("roll_deg", angle, 0),
+                                     .pitch = table.number("pitch_deg", angle, 0),
                                      .velocity = read_velocity(table),
                                      .angular_velocity = table.array<3>("angular_velocity_deg_per_s", {0, 0, 0})};
+    table.expect(is_within(initial.position, farthest_place), "position_m", "a place within 1e7 m of the origin");
+    table.expect(is_within(initial.velocity, fastest), "velocity_m_per_s", "a speed of 1000 m/s at most");
+    table.expect(is_within(initial.angular_velocity, fastest), "angular_velocity_deg_per_s", "57295 deg/s at most");
     for (const std::string_view key : {"height_m", "roll_deg", "pitch_deg"}) {
         table.expect(!initial.settle || !table.has(key), key, "'settle = false' beside it; settling finds this itself");
     }
@@ -106,7 +116,8 @@ ManeuverDescription read_maneuver(const TableReader& table) {
 }
 
 OutputDescription read_output(const TableReader& table) {
-    return {.interval = table.number("interval_s", not_negative, OutputDescription{}.interval),
+    constexpr Range interval{"number from 0 to 1e6", 0, 1e6};
+    return {.interval = table.number("interval_s", interval, OutputDescription{}.interval),
             .channels = table.texts("channels"),
             .csv = table.boolean("csv", true),
             .netcdf = table.boolean("netcdf", true),
@@ -143,7 +154,9 @@ void choose(Node& document, std::string_view key, std::string_view other_key) {
 
 // Every control has one master.
 void choose_masters(Node& document) {
-    for (const char* other : {"driver", "inputs", "initial"}) choose(document, "maneuver", other);
+    for (const char* other : {"driver", "inputs", "initial", "wind", "course", "output", "duration_s"}) {
+        choose(document, "maneuver", other);
+    }
     for (const char* other : {"inputs.steering_wheel", "inputs.rack"}) choose(document, "driver.path", other);
     for (const char* other : {"inputs.gear", "inputs.clutch"}) choose(document, "driver.gear", other);
     for (const char* other : {"inputs.drive", "inputs.throttle"}) choose(document, "driver.speed", other);

@@ -103,7 +103,8 @@ double TableReader::checked(const Node& value, std::string_view key, const std::
     if (!number) reject(value, path, describe(range, key));
     if (!std::isfinite(*number)) reject(value, path, with_unit("a finite " + std::string(range.words), key));
     const bool enough = range.least_included ? *number >= range.least : *number > range.least;
-    if (!enough || *number > range.most) reject(value, path, describe(range, key));
+    const bool fits = !range.is_whole || *number == std::floor(*number);
+    if (!enough || *number > range.most || !fits) reject(value, path, describe(range, key));
     return *number * unit_of_key(key).to_si;
 }
 

@@ -32,11 +32,15 @@ struct Range {
     double least = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
     bool least_included = true;
+    bool is_whole = false;  // no fraction
 };
 inline constexpr Range any_number{"number"};
 inline constexpr Range positive{"positive number", 0, std::numeric_limits<double>::infinity(), false};
 inline constexpr Range not_negative{"number not below zero", 0};
 inline constexpr Range fraction{"number from 0 to 1", 0, 1};
+inline constexpr Range time_step{"number from 1e-6 to 0.1", 1e-6, 0.1};  // of an integration [s]
+// What nobody drives on, and still far from where arithmetic suffers.
+inline constexpr double farthest_place = 1e7;  // from the origin [m]
 
 struct Samples {
     std::vector<double> argument, value;

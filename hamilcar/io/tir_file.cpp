@@ -229,7 +229,8 @@ private:
                  "no BREFF, DREFF, FREFF: rolling radius taken as a third of the way from the unloaded to the loaded "
                  "one");
         }
-        if (!(casing.rolling_radius > 0.5 * casing.radius && casing.rolling_radius < 2 * casing.radius)) {
+        const bool own = !overrides_.radius && !overrides_.rolling_radius;  // else the vehicle's file is at fault
+        if (own && !possible_rolling_radius(casing)) {
             fail(line_of("FREFF"),
                  fmt::format("rolling radius {:g} m: expected between half the unloaded one and twice it",
                              casing.rolling_radius));

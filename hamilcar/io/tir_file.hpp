@@ -24,6 +24,12 @@ struct TirOverrides {
     std::optional<double> pressure;                              // [Pa]
 };
 
+// Whether a tire can roll so: the effective radius lies between half the unloaded one and twice it. Where a vehicle's file
+// overrides either, who reads that file asks, so that its key is named.
+inline bool possible_rolling_radius(const CasingDescription& casing) {
+    return casing.rolling_radius > 0.5 * casing.radius && casing.rolling_radius < 2 * casing.radius;
+}
+
 // Throws Error: input_output if it cannot be read, bad_file for what a tire cannot do without.
 TirFile read_tir(const std::string& path, const TirOverrides& overrides = {});
 TirFile tir_from(const PropertyFile& file, const TirOverrides& overrides = {});

@@ -1,7 +1,10 @@
 // One function per model of a `[tire.NAME]` table, in the order of docs/files/tire.md.
 #include "hamilcar/io/tire_table.hpp"
 
+#include <fmt/format.h>
+
 #include "hamilcar/io/kind.hpp"
+#include "hamilcar/io/number_text.hpp"
 #include "hamilcar/io/tir_file.hpp"
 #include "hamilcar/tire/list.hpp"
 
@@ -52,6 +55,12 @@ TireDescription read_magic_formula(const TableReader& tire) {
                                  .pressure = read_override(tire, "pressure_Pa")};
     MagicFormulaDescription magic = tire.is_recording() ? MagicFormulaDescription{} : read_tir(path, overrides).tire;
     magic.name = path;
+    for (const char* key : {"rolling_radius_m", "radius_m"}) {
+        if (tire.is_recording() || !tire.has(key)) continue;
+        tire.expect(possible_rolling_radius(magic.casing), key,
+                    fmt::format("a rolling radius between half the unloaded one and twice it (here {} and {} m)",
+                                number_text(magic.casing.rolling_radius), number_text(magic.casing.radius)));
+    }
     magic.casing.carcass_damping = tire.number("carcass_damping_s", not_negative, magic.casing.carcass_damping);
     const double friction = tire.number("friction_scale", {"number from 0.01 to 100", 0.01, 100}, 1);
     magic.coefficients[LMUX] *= friction, magic.coefficients[LMUY] *= friction;

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
+#include <unordered_map>
 
 #ifndef TOML_HEADER_ONLY
 #define TOML_HEADER_ONLY 0
@@ -14,12 +12,15 @@
 #include <toml++/toml.h>
 
 #include "hamilcar/io/error.hpp"
+#include "hamilcar/io/toml_depth.hpp"
+#include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::io {
 
 namespace {
 
 constexpr std::size_t longest_quote = 60;  // of a value in a message [characters]
+constexpr std::size_t most_bases = 16;     // files, each the base of the one before
 
 std::string at(const SourceFile& file, TextPosition position) {
     return file.path + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
@@ -31,17 +32,9 @@ struct Reference {
 };
 
 std::string read_text(const Reference& from) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(from.path.c_str(), "rb"), std::fclose);
-    std::string text;
-    if (file) {
-        char block[1 << 16];
-        while (const std::size_t count = std::fread(block, 1, sizeof block, file.get())) text.append(block, count);
-        if (!std::ferror(file.get())) {
-            if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a byte order mark
-            return text;
-        }
-    }
-    throw Error(ExitCode::input_output, from.place + from.path + ": cannot read: " + std::strerror(errno));
+    std::string text = read_whole_file(from.path, LargestFile::toml, from.place);
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a byte order mark
+    return text;
 }
 
 TextPosition position_of(const toml::source_position& at) {
@@ -79,6 +72,11 @@ Node convert(toml::node& from, const std::shared_ptr<const SourceFile>& file) {
 
 Node parse(const Reference& from, int generation) {
     const auto file = std::make_shared<const SourceFile>(SourceFile{from.path, read_text(from), generation});
+    if (const auto place = too_deep(file->text)) {
+        fail_at(*file, *place,
+                "nested too deep: expected keys of at most " + std::to_string(most_key_parts) + " parts and at most " +
+                    std::to_string(most_brackets) + " brackets inside each other");
+    }
     try {
         toml::table root = toml::parse(std::string_view(file->text));
         return convert(root, file);
@@ -99,36 +97,29 @@ bool is_list_of_named_tables(ListValue& list) {
 
 void lay_over(Node& base, Node top);
 
-void lay_over(TableValue& base, TableValue& top) {
-    for (Node& entry : top.entries) {
-        const auto same = std::ranges::find(base.entries, entry.key, &Node::key);
-        if (same == base.entries.end()) {
-            base.entries.push_back(std::move(entry));
+// Entries of one name are laid over each other, others are added. A map, since a file may have thousands.
+template <class Name>
+void lay_over(std::vector<Node>& base, std::vector<Node>& top, const Name& name) {
+    std::unordered_map<std::string, std::size_t> places;
+    for (std::size_t i = 0; i < base.size(); ++i) places.try_emplace(name(base[i]), i);
+    for (Node& one : top) {
+        const auto [same, is_new] = places.try_emplace(name(one), base.size());
+        if (is_new) {
+            base.push_back(std::move(one));
         } else {
-            lay_over(*same, std::move(entry));
-        }
-    }
-}
-
-void lay_over(ListValue& base, ListValue& top) {
-    for (Node& item : top.items) {
-        const std::string name = *name_of(item);
-        const auto same = std::ranges::find_if(base.items, [&](Node& other) { return *name_of(other) == name; });
-        if (same == base.items.end()) {
-            base.items.push_back(std::move(item));
-        } else {
-            lay_over(*same, std::move(item));
+            lay_over(base[same->second], std::move(one));
         }
     }
 }
 
 void lay_over(Node& base, Node top) {
     if (std::holds_alternative<TableValue>(base.value) && std::holds_alternative<TableValue>(top.value)) {
-        lay_over(std::get<TableValue>(base.value), std::get<TableValue>(top.value));
+        lay_over(std::get<TableValue>(base.value).entries, std::get<TableValue>(top.value).entries,
+                 [](const Node& entry) { return entry.key; });
         std::swap(base.value, top.value);
     } else if (auto* old_list = std::get_if<ListValue>(&base.value), *new_list = std::get_if<ListValue>(&top.value);
                old_list && new_list && is_list_of_named_tables(*old_list) && is_list_of_named_tables(*new_list)) {
-        lay_over(*old_list, *new_list);
+        lay_over(old_list->items, new_list->items, [](Node& item) { return *name_of(item); });
         std::swap(base.value, top.value);
     }
     base = std::move(top);  // with the place of the file on top: there a missing key has to be added
@@ -194,6 +185,10 @@ Node read_toml(const std::string& path) {
         };
         if (std::ranges::any_of(chain, same_file)) {
             throw Error(ExitCode::bad_file, base.place + "expected a file that does not lead back to this one");
+        }
+        if (chain.size() == most_bases) {
+            throw Error(ExitCode::bad_file, base.place + "expected at most " + std::to_string(most_bases) +
+                                                " files that stand on each other");
         }
         chain.push_back(parse(base, static_cast<int>(chain.size())));
     }

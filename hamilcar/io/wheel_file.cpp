@@ -11,7 +11,7 @@ namespace hamilcar::io {
 namespace {
 
 Point read_spin_axis(const TableReader& wheel) {
-    constexpr Range tilt{"number from -45 to 45", -45, 45};
+    constexpr Range tilt{"number from -20 to 20", -20, 20};
     if (wheel.chosen({{"camber_deg", "toe_in_deg"}, {"spin_axis"}}) == 1) {
         const Point axis = wheel.direction("spin_axis");
         wheel.expect(axis[1] > 0, "spin_axis", "a direction to the left: y above zero");

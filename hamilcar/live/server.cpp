@@ -2,8 +2,8 @@
 
 #include "hamilcar/live/server.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
@@ -26,9 +26,16 @@ constexpr auto tick_interval = std::chrono::milliseconds(50);
 constexpr int ticks_per_status = 4, ticks_per_line = 1200;
 constexpr auto leave_taking = std::chrono::seconds(1);
 
+// What a child that is started, as a browser, does not inherit: one that outlives the server would keep its port.
+void close_on_exec(int descriptor) {
+    ::fcntl(descriptor, F_SETFD, FD_CLOEXEC);
+}
+
 tcp::acceptor listen(asio::io_context& context, std::uint16_t port) {
     try {
-        return tcp::acceptor(context, tcp::endpoint(asio::ip::address_v4::loopback(), port));
+        tcp::acceptor acceptor(context, tcp::endpoint(asio::ip::address_v4::loopback(), port));
+        close_on_exec(acceptor.native_handle());
+        return acceptor;
     } catch (const boost::system::system_error& error) {
         throw io::Error(io::ExitCode::input_output,
                         fmt::format("cannot listen on 127.0.0.1:{}: {}", port, error.code().message()));
@@ -44,7 +51,7 @@ public:
           lobby_(session),
           acceptor_(listen(context_, options_.port)),
           access_(random_token(), acceptor_.local_endpoint().port()),
-          bell_(context_, dup(session.bell().descriptor())),
+          bell_(context_, ::fcntl(session.bell().descriptor(), F_DUPFD_CLOEXEC, 0)),
           tick_(context_) {}
 
     const Access& access() const { return access_; }
@@ -73,6 +80,7 @@ private:
     }
 
     void receive(tcp::socket socket) {
+        close_on_exec(socket.native_handle());
         beast::error_code ignored;
         socket.set_option(tcp::no_delay(true), ignored);
         socket.set_option(asio::socket_base::send_buffer_size(send_buffer), ignored);

@@ -33,10 +33,10 @@ std::vector<Setting> settings(const VehicleDescription& vehicle) {
         {"pedal", "%", "of its full travel", 100, 10, 100},
         {"friction", "", "of the road, times the tires' own", 1, 0.05, 1.5},
         {"elasticity_gear", "", "in which it pulls from one speed to another; 0: left out", elastic, 0,
-         static_cast<double>(std::max(gears, 1))},
+         static_cast<double>(std::max(gears, 1)), SettingKind::whole},
         {"elasticity_from", "km/h", "that it pulls from", 80, 10, 250},
         {"elasticity_to", "km/h", "that it pulls to", 120, 20, 300},
-        {"top_speed", "", "1: also find out how fast it goes; 0: left out", 1, 0, 1},
+        {"top_speed", "", "1: also find out how fast it goes; 0: left out", 1, 0, 1, SettingKind::toggle},
     };
 }
 
@@ -122,7 +122,7 @@ bool drive_from_rest(Outcome& outcome, const VehicleDescription& vehicle, const 
     constexpr double beyond = 1;  // so that the last distance is passed [m]
     scenario.driver.ending.distance = way + beyond;
     Trial trial = straight::drive_again_finely(vehicle, scenario, straight::trial_options(options, 0, share));
-    const bool whole = straight::add_drive(outcome, trial);
+    const bool whole = take_whole(outcome, trial);
     const Clock clock{trial.history};
     if (std::isnan(clock.start)) {
         if (whole) outcome.failed = "it did not move";
@@ -148,7 +148,7 @@ bool drive_elastically(Outcome& outcome, const VehicleDescription& vehicle, cons
     constexpr double beyond = 0.2;  // so that the last speed is passed [m/s]
     scenario.driver.ending.speed_above = to * kilometer_per_hour + beyond;
     Trial trial = straight::drive_again_finely(vehicle, scenario, straight::trial_options(options, begin, end));
-    if (!straight::add_drive(outcome, trial)) return false;
+    if (!take_whole(outcome, trial)) return false;
     const Series speed = straight::series(trial.history, trial.history.speed);
     const auto first = first_crossing(speed, from * kilometer_per_hour, Crossing::rising);
     const auto last = first_crossing(speed, to * kilometer_per_hour, Crossing::rising);
@@ -188,7 +188,7 @@ bool drive_fast(Outcome& outcome, const VehicleDescription& vehicle, const Setti
     scenario.name = "top speed";
     scenario.driver.shifting->gear = balance->gear;
     Trial trial = straight::drive_again_finely(vehicle, scenario, straight::trial_options(options, begin, 1));
-    if (!straight::add_drive(outcome, trial)) return false;
+    if (!take_whole(outcome, trial)) return false;
     outcome.figures.push_back(
         {"top speed", "km/h", fmt::format("in gear {}", balance->gear), limit_of(trial.history) / kilometer_per_hour});
     outcome.figures.push_back({"top speed by the balance of forces", "km/h",
@@ -201,7 +201,7 @@ Outcome drive_it(const VehicleDescription& described, const Settings& chosen, co
     VehicleDescription vehicle = described;
     vehicle.chassis.mass += chosen.at("load");
     constexpr double from_rest = 0.6, elastic = 0.75;  // of the progress, at their ends
-    const bool pulls = chosen.at("elasticity_gear") >= 1, fast = chosen.at("top_speed") > 0.5;
+    const bool pulls = chosen.at("elasticity_gear") >= 1, fast = chosen.at("top_speed") == 1;
     if (!drive_from_rest(outcome, vehicle, chosen, options, pulls || fast ? from_rest : 1)) return outcome;
     if (pulls && !drive_elastically(outcome, vehicle, chosen, options, from_rest, fast ? elastic : 1)) return outcome;
     if (fast && !drive_fast(outcome, vehicle, chosen, options, pulls ? elastic : from_rest)) return outcome;

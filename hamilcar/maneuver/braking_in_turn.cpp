@@ -143,10 +143,10 @@ void add_charts(const std::vector<Driven>& all, double radius, Outcome& outcome)
 
 // Whether braking can begin from there.
 bool settles(const Trial& trial, const Settings& settings, Outcome& outcome) {
-    if (interrupted(trial)) outcome.failed = "interrupted";
-    if (trial.trouble || trial.history.time.back() < circle_braking::settling - 0.01) {
-        if (!outcome.failed)
-            outcome.failed = "the steady circle was not reached: " + trial.trouble.value_or("the run ended early");
+    if (trial.breaks_off()) return false;
+    if (trial.stopped != Stopped::no || trial.history.time.back() < circle_braking::settling - 0.01) {
+        outcome.failed =
+            "the steady circle was not reached: " + (trial.trouble.empty() ? "the run ended early" : trial.trouble);
         return false;
     }
     const Steady steady = circle_braking::steady(trial.history);
@@ -205,8 +205,8 @@ Outcome drive_all(const VehicleDescription& vehicle, const Settings& settings, c
         scenario.name = fmt::format("braking in a turn, pedal at {:.0f} %", 100 * pedal);
         Trial trial = drive(vehicle, scenario,
                             {.film = options.keep_runs, .keep_going = share(options, n / count, (n + 1) / count)});
-        if (interrupted(trial)) {
-            outcome.failed = "interrupted";
+        if (trial.breaks_off()) {
+            add_trial(outcome, std::move(trial));
             return outcome;
         }
         all.push_back({circle_braking::evaluated(trial.history), trial.history});

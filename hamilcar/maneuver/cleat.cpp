@@ -135,7 +135,7 @@ Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, cons
     const ScenarioDescription scenario = over_the_cleat(vehicle, chosen, options, axles);
     Trial trial = drive(vehicle, scenario, ride::trial_options(options));
     ride::thin_out(trial.film, trial.history);
-    const bool whole = straight::add_drive(outcome, trial);
+    const bool whole = take_whole(outcome, trial);
     const double start = scenario.road.obstacles.back().start;
     const double first = passing(trial.history, axles.front(), start);
     const double last = passing(trial.history, axles.back(), start);

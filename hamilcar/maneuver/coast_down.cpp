@@ -150,7 +150,7 @@ Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, cons
     TrialOptions drive_options = straight::trial_options(options, 0, 1);
     drive_options.interval = 0.02;  // [s]; nothing happens fast
     Trial trial = drive(vehicle, rolling_out(vehicle, options, from, to), drive_options);
-    if (!straight::add_drive(outcome, trial)) return outcome;
+    if (!take_whole(outcome, trial)) return outcome;
     const Series speed = straight::series(trial.history, trial.history.speed);
     const Resistances resistances = measured(speed, straight::rolling_mass(vehicle), from, to, step);
     if (static_cast<double>(resistances.speed.size()) < fewest) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hamilcar/analysis/energy_bounds.hpp"
 #include "hamilcar/analysis/handling.hpp"
 #include "hamilcar/steering/column.hpp"
 #include "hamilcar/tire/list.hpp"
@@ -137,14 +138,32 @@ double angle_for(const VehicleDescription& vehicle, double speed, double lateral
     return lateral_acceleration / (handling.lateral_acceleration_gain * handling.rack_per_angle);
 }
 
-void add_trial(Outcome& outcome, Trial trial) {
-    outcome.energy.supplied += trial.energy.supplied;
-    outcome.energy.stored += trial.energy.stored;
-    outcome.energy.dissipated += trial.energy.dissipated;
-    outcome.energy.turnover += trial.energy.turnover;
+bool add_search_trial(Outcome& outcome, const Trial& trial) {
+    outcome.energy += trial.energy;
+    if (judge_energy(trial.energy.gap(), trial.energy.turnover) == EnergyVerdict::doubtful) {
+        const std::string note = "the energy account of a drive is off by more than 1 percent: try a smaller step";
+        if (std::ranges::find(outcome.notes, note) == outcome.notes.end()) outcome.notes.push_back(note);
+    }
+    if (!trial.breaks_off()) return true;
+    if (!outcome.failed) outcome.failed = trial.trouble;
+    outcome.stopped = trial.stopped;
+    return false;
+}
+
+bool add_trial(Outcome& outcome, Trial trial) {
     for (const std::string& complaint : trial.complaints) outcome.notes.push_back(complaint);
-    if (trial.trouble) outcome.notes.push_back(*trial.trouble);
+    if (trial.stopped == Stopped::fell_over) outcome.notes.push_back(trial.trouble);
     if (!trial.film.columns.empty()) outcome.runs.push_back(std::move(trial.film));
+    return add_search_trial(outcome, trial);
+}
+
+bool take_whole(Outcome& outcome, Trial& trial) {
+    for (const std::string& complaint : trial.complaints) outcome.notes.push_back(complaint);
+    if (!trial.film.columns.empty()) outcome.runs.push_back(std::move(trial.film));
+    if (!add_search_trial(outcome, trial)) return false;
+    if (trial.stopped == Stopped::no) return true;
+    outcome.failed = trial.trouble;
+    return false;
 }
 
 std::size_t row_at(const History& history, double time) {

@@ -56,8 +56,14 @@ double steering_lock(const VehicleDescription& vehicle);
 // Steering wheel angle of a lateral acceleration in steady driving at a speed, by linear theory [rad].
 double angle_for(const VehicleDescription& vehicle, double speed, double lateral_acceleration);
 
-// Adds a drive to an outcome: its energy, its film if there is one, its troubles and complaints as notes.
-void add_trial(Outcome& outcome, Trial trial);
+// Adds a drive to an outcome: its energy, its film if there is one, its complaints and a fall as notes. Whether the maneuver
+// may go on: an interruption or a failure of the mathematics ends it and is its failure.
+bool add_trial(Outcome& outcome, Trial trial);
+// The same of a run on the way to those that count, where all else that goes wrong is what it is for: energy alone.
+bool add_search_trial(Outcome& outcome, const Trial& trial);
+// The same of a drive that says nothing unless it came to its end: a fall is a failure too. Takes all but the history; whether
+// it came to its end.
+bool take_whole(Outcome& outcome, Trial& trial);
 
 // The first row at or after a time [s].
 std::size_t row_at(const History& history, double time);

@@ -49,7 +49,7 @@ CourseDrive CourseDriver::drive(double speed, bool film, Outcome& outcome) {
     for (int i = 0; i < attempts_; ++i) {
         const auto part = [&](int n) { return (driven_ + n / static_cast<double>(attempts_)) / speeds_; };
         CourseDrive now = attempt(speed, line, film, share(options_, part(i), part(i + 1)));
-        if (interrupted(now.trial)) return now;
+        if (now.trial.breaks_off()) return now;
         line = corrected(std::move(line), now.trial.history);
         const bool learned = !best || now.passage.clearance > best->passage.clearance + progress;
         const bool better = !best || now.passage.better_than(best->passage);
@@ -81,7 +81,7 @@ CourseDrive CourseDriver::attempt(double speed, const Line& line, bool film,
                     .trial = hamilcar::drive(vehicle_, scenario, {.film = film, .keep_going = std::move(keep_going)}),
                     .passage = {}};
     out.passage = passage(vehicle_, change_.lanes, out.trial.history);
-    if (out.trial.trouble) out.passage.complete = false;
+    if (out.trial.stopped != Stopped::no) out.passage.complete = false;
     return out;
 }
 

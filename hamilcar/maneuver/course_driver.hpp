@@ -22,6 +22,7 @@ public:
     bool may_go_on() const { return driven_ < speeds_; }
 
     // At a speed [km/h], until an attempt is clean; the best one counts. What the others took is added to the outcome's energy.
+    // An attempt that breaks off is returned at once.
     CourseDrive drive(double speed, bool film, Outcome& outcome);
 
 private:

@@ -29,10 +29,11 @@ constexpr double heaviest = 4536;   // that NHTSA drives it with: 10 000 lb [kg]
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Setting> settings(const VehicleDescription&) {
-    return {{"speed", "km/h", "the highest that is tried", 80, 20, 150},
-            {"least_speed", "km/h", "the lowest that is tried", 56, 10, 150},
-            {"step", "km/h", "between speeds, before the limit is bisected", 8, 1, 40},
-            {"feedback", "", "1: counter-steer as the roll rate dies away; 0: after 250 ms", 1, 0, 1}};
+    return {
+        {"speed", "km/h", "the highest that is tried", 80, 20, 150},
+        {"least_speed", "km/h", "the lowest that is tried", 56, 10, 150},
+        {"step", "km/h", "between speeds, before the limit is bisected", 8, 1, 40},
+        {"feedback", "", "1: counter-steer as the roll rate dies away; 0: after 250 ms", 1, 0, 1, SettingKind::toggle}};
 }
 
 // Speeds upward, both directions at each, until the vehicle tips; then between the last two.
@@ -48,7 +49,7 @@ public:
         count_ = std::ceil((most_ - least_) / step_) + 1 + std::ceil(std::log2(std::max(step_ / finest, 1.0)));
     }
 
-    // False if interrupted.
+    // False if a run broke off.
     bool go() {
         for (double speed = least_; std::isnan(tipped_); speed = std::min(speed + step_, most_)) {
             if (!try_speed(speed)) return false;
@@ -73,7 +74,7 @@ private:
             const auto part = [&](double n) { return std::min(1.0, slow_share + (1 - slow_share) * n / (2 * count_)); };
             const double n = static_cast<double>(runs_.size());
             Trial trial = fishhook_.drive(run, keep_runs_, part(n), part(n + 1));
-            if (interrupted(trial)) return false;
+            if (!add_search_trial(outcome_, trial)) return false;
             runs_.push_back(run);
             last_ = trial.history;
             keep(std::move(trial), run);
@@ -86,8 +87,9 @@ private:
 
     // Only the film of the latest run is kept, and of the latest that tipped.
     void keep(Trial trial, const Run& run) {
-        if (trial.trouble) outcome_.notes.push_back(fmt::format("at {:g} km/h: {}", run.speed, *trial.trouble));
-        add_search_trial(outcome_, trial);
+        if (trial.stopped == Stopped::fell_over) {
+            outcome_.notes.push_back(fmt::format("at {:g} km/h: {}", run.speed, trial.trouble));
+        }
         if (trial.film.columns.empty()) return;
         (run.tips ? tipping_film_ : film_) = std::move(trial.film);
         outcome_.runs.clear();
@@ -186,12 +188,9 @@ Outcome drive_all(const VehicleDescription& vehicle, const Settings& settings, c
             fmt::format("{:g} A would be {:.0f} deg, beyond the steering wheel's lock: it is turned to {:.0f} deg",
                         factor, factor * test.angle / degree, lock / degree));
     }
-    const Fishhook fishhook(vehicle, options, angle, settings.at("feedback") > 0);
+    const Fishhook fishhook(vehicle, options, angle, settings.at("feedback") == 1);
     Ascent ascent(settings, options, fishhook, outcome);
-    if (!ascent.go()) {
-        outcome.failed = "interrupted";
-        return outcome;
-    }
+    if (!ascent.go()) return outcome;
     const double lifted = add_figures(ascent, angle, outcome), tipped = ascent.tipped();
     outcome.verdicts.push_back(
         {fmt::format("no two-wheel lift of {:g} s or more up to {:g} km/h", fishhook_run::tip_up_time,

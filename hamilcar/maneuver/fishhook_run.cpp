@@ -59,7 +59,7 @@ void evaluate(const VehicleDescription& vehicle, const Trial& trial, Run& run) {
         }
     }
     run.roll = largest(h.roll), run.lateral_acceleration = largest(smoothed(h.lateral_acceleration, 1 / interval));
-    run.tips = trial.trouble.has_value() || run.lifted >= tip_up_time;
+    run.tips = trial.stopped == Stopped::fell_over || run.lifted >= tip_up_time;
 }
 
 double calm_after(const History& h, double reached) {
@@ -75,15 +75,18 @@ Fishhook::Fishhook(const VehicleDescription& vehicle, const ManeuverOptions& opt
 
 Trial Fishhook::drive(Run& run, bool film, double from, double to) const {
     const double middle = feedback_ ? 0.5 * (from + to) : from;
+    EnergyBook before;
     if (feedback_) {
         Run first = run;
         first.dwell = longest_dwell;
         Trial trial = turn(first, false, true, share(options_, from, middle));
-        if (interrupted(trial)) return trial;
+        if (trial.breaks_off()) return trial;
+        before = trial.energy;
         run.dwell = calm_after(trial.history, steering + angle_ / steering_rate);
     }
     Trial trial = turn(run, film, false, share(options_, middle, to));
     evaluate(vehicle_, trial, run);
+    trial.energy += before;
     return trial;
 }
 

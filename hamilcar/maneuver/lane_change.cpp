@@ -152,12 +152,8 @@ void search(CourseDriver& driver, const CourseDrive& first, const std::function<
         const double speed = bracket.next();
         if (speed < slowest || speed > fastest) break;
         CourseDrive drive = driver.drive(speed, film, outcome);
-        if (interrupted(drive.trial)) {
-            outcome.failed = "interrupted";
-            return;
-        }
+        if (!add_search_trial(outcome, drive.trial)) return;
         bracket.add(drive, entry(drive));
-        add_search_trial(outcome, drive.trial);
         if (bracket.low != speed || !bracket.low_is_clean || drive.trial.film.columns.empty()) continue;
         outcome.runs.clear();
         outcome.runs.push_back(std::move(drive.trial.film));
@@ -207,21 +203,21 @@ void add_verdicts(const CourseDrive& drive, double entry, Outcome& outcome) {
 Outcome drive_lane_change(const VehicleDescription& vehicle, const LaneChange& change, const Settings& settings,
                           const ManeuverOptions& options) {
     Outcome outcome;
-    CourseDriver driver(vehicle, change, settings, options, settings.at("search") > 0 ? most_speeds : 1);
+    CourseDriver driver(vehicle, change, settings, options, settings.at("search") == 1 ? most_speeds : 1);
     outcome.course = driver.course();
     if (straight::is_heavy(vehicle)) {
         outcome.notes.push_back("the course is made for cars and light trucks of up to 3.5 t; this vehicle is heavier");
     }
     CourseDrive first = driver.drive(settings.at("speed"), options.keep_runs, outcome);
-    if (interrupted(first.trial)) {
-        outcome.failed = "interrupted";
+    if (first.trial.breaks_off()) {
+        add_trial(outcome, std::move(first.trial));
         return outcome;
     }
     add_figures(vehicle, change, first, outcome);
     add_charts(change, outcome.course, first, outcome);
     const auto entry = [&](const CourseDrive& drive) { return entry_speed(vehicle, change, drive.trial.history); };
     add_verdicts(first, entry(first), outcome);
-    if (settings.at("search") > 0) search(driver, first, entry, options.keep_runs, outcome);
+    if (settings.at("search") == 1) search(driver, first, entry, options.keep_runs, outcome);
     add_trial(outcome, std::move(first.trial));
     return outcome;
 }
@@ -230,8 +226,10 @@ Outcome drive_lane_change(const VehicleDescription& vehicle, const LaneChange& c
 
 std::vector<Setting> lane_change_settings(double usual_speed, bool usual_search) {
     return {{"speed", "km/h", "at which the course is entered", usual_speed, slowest, fastest},
-            {"search", "", "1: also seek the highest entry speed without a cone hit", usual_search ? 1.0 : 0.0, 0, 1},
-            {"attempts", "", "at each speed, each with what the driver learned from the one before", 6, 1, 20},
+            {"search", "", "1: also seek the highest entry speed without a cone hit", usual_search ? 1.0 : 0.0, 0, 1,
+             SettingKind::toggle},
+            {"attempts", "", "at each speed, each with what the driver learned from the one before", 6, 1, 20,
+             SettingKind::whole},
             {"preview_time", "s", "how far ahead the driver looks", 0.4, 0.2, 2}};
 }
 

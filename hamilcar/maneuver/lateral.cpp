@@ -88,21 +88,13 @@ Trial drive_aimed(const VehicleDescription& vehicle, const Aim& aim, double angl
     for (int i = 1;; ++i) {
         const Share part{1 - std::pow(0.5, i - 1), i < tries ? 1 - std::pow(0.5, i) : 1};
         Trial trial = drive_share(vehicle, aim.scenario(angle), options, interval, part);
+        if (trial.stopped != Stopped::no) return trial;
         const double better = aim.lateral_acceleration / aim.reached(trial.history);
         const double next = std::min(angle * std::clamp(better, 1 / most, most), lock);
-        if (i == tries || trial.trouble || !(std::abs(better - 1) > good) || next == angle) return trial;
+        if (i == tries || !(std::abs(better - 1) > good) || next == angle) return trial;
         add_search_trial(outcome, trial);
         angle = next;
     }
-}
-
-bool take_whole(Outcome& outcome, Trial& trial) {
-    if (trial.trouble) outcome.failed = trial.trouble;
-    add_trial(outcome, {.trouble = trial.trouble,
-                        .complaints = trial.complaints,
-                        .energy = trial.energy,
-                        .film = std::move(trial.film)});
-    return !outcome.failed;
 }
 
 Series series_of(const History& history, const std::vector<double>& column) {

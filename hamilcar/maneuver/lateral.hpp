@@ -51,10 +51,6 @@ struct Aim {
 Trial drive_aimed(const VehicleDescription& vehicle, const Aim& aim, double angle, const ManeuverOptions& options,
                   double interval, Outcome& outcome);
 
-// Takes all of the drive but its history into the outcome; whether it went to its end. If not, the outcome has failed with the
-// reason.
-bool take_whole(Outcome& outcome, Trial& trial);
-
 // A column of a history as a series.
 Series series_of(const History& history, const std::vector<double>& column);
 // Mean of a column over [from, to] s; NaN where there are no rows.

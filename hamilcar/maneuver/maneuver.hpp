@@ -17,6 +17,9 @@
 
 namespace hamilcar {
 
+// What numbers a setting may have: any, counts, 0 for no and 1 for yes, or 1 for the left and -1 for the right.
+enum class SettingKind { number, whole, toggle, side };
+
 // A number that a person may choose.
 struct Setting {
     std::string name;  // "speed"
@@ -24,6 +27,7 @@ struct Setting {
     std::string meaning;
     double usual;        // the standard's, where it has one
     double least, most;  // what can be chosen
+    SettingKind kind = SettingKind::number;
 };
 
 // A characteristic value; NaN where the run did not show it.
@@ -53,7 +57,13 @@ struct EnergyBook {
     double dissipated = 0;  // in tires, brakes, dampers, air and driveline, and what the steering took [J]
     double gap() const { return supplied - stored - dissipated; }
     double turnover = 0;  // what the gap is to be compared with: energy moved in all [J]
+
+    EnergyBook& operator+=(const EnergyBook& other);
 };
+
+// What kept a drive from its end: somebody said stop, the vehicle tipped over, or the mathematics gave up, which says nothing
+// of the vehicle.
+enum class Stopped { no, interrupted, fell_over, numerical };
 
 struct Outcome {
     std::vector<Figure> figures;
@@ -64,6 +74,7 @@ struct Outcome {
     std::vector<std::string> notes;     // for a person: what could not be done, and what was reached
     EnergyBook energy;                  // of all runs together
     std::optional<std::string> failed;  // the maneuver could not be driven: why, with what was reached
+    Stopped stopped = Stopped::no;      // where that was an interruption, or the mathematics
 
     bool passed() const {
         for (const Verdict& verdict : verdicts) {
@@ -99,12 +110,19 @@ struct Maneuver {
 
 // "speed_km_per_h": a setting's key in a scenario file.
 std::string setting_key(const Setting& setting);
+// "20 to 250 km/h", "whole, 1 to 20", "0 or 1": what can be chosen.
+std::string setting_range(const Setting& setting);
+// By its name or its key; throws io::Error(bad_file), with what there is, for a name that is none.
+const Setting& setting_called(const std::string& name, const std::vector<Setting>& known, const std::string& maneuver);
 
 // All of them, in the order of the documentation.
 const std::vector<Maneuver>& maneuvers();
 const Maneuver* find_maneuver(const std::string& name);
 
-// The usual settings with those chosen put in. Throws io::Error(bad_file), naming the setting, the range and the unit.
+// Those chosen, by their names, whichever of its two spellings each came in. Throws io::Error(bad_file) for one that does not
+// exist, came in both spellings or cannot have this value, naming the setting, the range and the unit.
+Settings chosen_settings(const Maneuver& maneuver, const VehicleDescription& vehicle, const Settings& chosen);
+// The usual settings with those put in. Throws likewise.
 Settings complete_settings(const Maneuver& maneuver, const VehicleDescription& vehicle, const Settings& chosen);
 
 }  // namespace hamilcar

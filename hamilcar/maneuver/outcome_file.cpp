@@ -1,10 +1,11 @@
 #include "hamilcar/maneuver/outcome_file.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "hamilcar/io/error.hpp"
+#include "hamilcar/io/json_text.hpp"
+#include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar {
 
@@ -93,11 +94,11 @@ Json settings_json(const ManeuverRun& run) {
 }
 
 Json energy_json(const EnergyBook& book) {
-    return {{"supplied_J", book.supplied},
-            {"stored_J", book.stored},
-            {"dissipated_J", book.dissipated},
-            {"gap_J", book.gap()},
-            {"turnover_J", book.turnover}};
+    return {{"supplied_J", number(book.supplied)},
+            {"stored_J", number(book.stored)},
+            {"dissipated_J", number(book.dissipated)},
+            {"gap_J", number(book.gap())},
+            {"turnover_J", number(book.turnover)}};
 }
 
 }  // namespace
@@ -126,10 +127,8 @@ Json outcome_json(const ManeuverRun& run, const Outcome& outcome) {
 }
 
 std::pair<ManeuverRun, Outcome> read_outcome(const std::string& path) {
-    std::ifstream file(path);
-    if (!file) throw io::Error(io::ExitCode::input_output, path + ": cannot be read");
+    const Json json = io::parse_json<Json>(io::read_whole_file(path, io::LargestFile::outcome));
     try {
-        const Json json = Json::parse(file);
         ManeuverRun run;
         run.program = json.at("program");
         const Json &maneuver = json.at("maneuver"), &vehicle = json.at("vehicle"), &solver = json.at("solver");

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "hamilcar/analysis/handling.hpp"
+#include "hamilcar/analysis/no_solution.hpp"
 #include "hamilcar/maneuver/straight.hpp"
 #include "hamilcar/tire/list.hpp"
 #include "hamilcar/vehicle/build.hpp"
@@ -115,7 +115,7 @@ Resistance resistance(const VehicleDescription& vehicle, double speed) {
     });
     try {  // a torque does work with the wheels' turning
         return {air, steady_handling(vehicle, speed).drive_torque * turning / driven - air};
-    } catch (const std::domain_error&) {
+    } catch (const NoSolution&) {
         return {air, tire_resistance(vehicle)};
     }
 }

@@ -25,9 +25,8 @@ constexpr std::size_t piece = 2048;              // rows of a spectrum, 20.48 s;
 constexpr double trusted = 0.9;                  // coherence from which a line of the spectrum counts
 constexpr double lowest = 0.1;                   // of the steering [Hz]
 constexpr double first_line = 0.2, hair = 0.01;  // of the response; spectra have a line at 0.195 [Hz]
-constexpr double visible = 1.01;               // peak ratio from which there is a peak, and not just a spectrum's noise
-constexpr double judged = 2;                   // up to here the coherence is to be good [Hz]
-constexpr std::uint32_t purpose = 0x73746572;  // tells these numbers from others of the same seed
+constexpr double judged = 2;                     // up to here the coherence is to be good [Hz]
+constexpr std::uint32_t purpose = 0x73746572;    // tells these numbers from others of the same seed
 
 std::vector<Setting> settings(const VehicleDescription& vehicle) {
     constexpr double largest_seed = 1e6;
@@ -35,7 +34,7 @@ std::vector<Setting> settings(const VehicleDescription& vehicle) {
             acceleration_setting(vehicle, 4, 2, "in steady driving with the largest angle of all"),
             {"highest_frequency", "Hz", "of the steering", 4, 1, 8},
             {"duration", "s", "of the steering", 120, 30, 1800},
-            {"seed", "", "of the random phases", 1, 0, largest_seed}};
+            {"seed", "", "of the random phases", 1, 0, largest_seed, SettingKind::whole}};
 }
 
 // Largest angle 1 [1].
@@ -99,38 +98,18 @@ SteeringGain trusted_lines(const SteeringGain& all, std::vector<double> Steering
 
 // Figures and diagrams of each output by the lines that count for it; there is no steady gain in such a drive.
 void add_response(const VehicleDescription& vehicle, double speed, const SteeringGain& all, Outcome& outcome) {
-    const auto add = [&](const std::string& of, std::vector<double> SteeringGain::*coherence) {
+    const auto add = [&](const std::string& of, std::vector<double> SteeringGain::*coherence, auto&& add_figures) {
         const SteeringGain found = trusted_lines(all, coherence);
         if (found.frequency.empty()) {
             outcome.notes.push_back(fmt::format("no line of the {} has a coherence of {:g}: no figures", of, trusted));
             return;
         }
-        Outcome both;
-        add_gain(found, lowest_gain(found), theoretical_gain(vehicle, speed, found.frequency), both);
-        const std::string where = fmt::format("{:.3f} Hz, the lowest line that counts", found.frequency.front());
-        double ratio = 1;
-        for (Figure& figure : both.figures) {
-            if (!figure.name.starts_with(of)) continue;
-            if (figure.name == of + " gain") {
-                figure.name += " at the lowest line";
-                figure.meaning = "per angle of the steering wheel at " + where;
-            }
-            if (const auto at = figure.meaning.find("the steady one"); at != std::string::npos) {
-                figure.meaning = figure.meaning.substr(0, at) + "that at " + where;
-            }
-            ratio = figure.name == of + " peak ratio" ? figure.value : ratio;
-            if (figure.name == of + " peak frequency" && ratio < visible) {
-                figure.value = std::numeric_limits<double>::quiet_NaN();
-                figure.meaning = "no gain is as much as 1 percent above that at " + where;
-            }
-            outcome.figures.push_back(std::move(figure));
-        }
-        for (io::Chart& chart : both.charts) {
-            if (chart.title.starts_with(of)) outcome.charts.push_back(std::move(chart));
-        }
+        SteadyGain compared = lowest_gain(found);
+        compared.line = found.frequency.front();
+        add_figures(found, compared, theoretical_gain(vehicle, speed, found.frequency), outcome);
     };
-    add("yaw rate", &SteeringGain::yaw_coherence);
-    add("lateral acceleration", &SteeringGain::lateral_coherence);
+    add("yaw rate", &SteeringGain::yaw_coherence, add_yaw_rate_gain);
+    add("lateral acceleration", &SteeringGain::lateral_coherence, add_lateral_acceleration_gain);
     outcome.charts.push_back(
         {.title = "coherence",
          .x_label = "frequency [Hz]",

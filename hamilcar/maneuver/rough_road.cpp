@@ -19,9 +19,9 @@ constexpr double smooth = 10, fade = 5;  // ahead of the foremost wheel; in and 
 std::vector<Setting> settings(const VehicleDescription& vehicle) {
     return {
         {"speed", "km/h", "that the driver holds", straight::is_heavy(vehicle) ? 60.0 : 80.0, 10, 200},
-        {"road_class", "", "of ISO 8608: 1 is A (very good), 3 is C, 8 is H", 3, 1, 8},
+        {"road_class", "", "of ISO 8608: 1 is A (very good), 3 is C, 8 is H", 3, 1, 8, SettingKind::whole},
         {"length", "m", "that is evaluated", 300, 50, 1500},
-        {"seed", "", "another one: another road of the same class", 1, 0, 1e6},
+        {"seed", "", "another one: another road of the same class", 1, 0, 1e6, SettingKind::whole},
     };
 }
 
@@ -153,7 +153,7 @@ Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, cons
     const Drive along = along_the_road(vehicle, chosen, options);
     Trial trial = drive(vehicle, along.scenario, ride::trial_options(options));
     ride::thin_out(trial.film, trial.history);
-    const bool whole = straight::add_drive(outcome, trial);
+    const bool whole = take_whole(outcome, trial);
     const Series x = straight::series(trial.history, trial.history.x);
     const auto from = first_crossing(x, along.stretch.begin, Crossing::rising);
     const auto to = first_crossing(x, along.stretch.end, Crossing::rising);

@@ -12,17 +12,6 @@ inline std::function<bool(double)> share(const ManeuverOptions& options, double 
     return [&options, from, to](double done) { return options.keep_going(from + (to - from) * done); };
 }
 
-inline bool interrupted(const Trial& trial) {
-    return trial.trouble == "interrupted";
-}
-
-// A run on the way to those that count: its energy alone, since what goes wrong in a search is what it is for.
-inline void add_search_trial(Outcome& outcome, const Trial& trial) {
-    Trial quiet;
-    quiet.energy = trial.energy;
-    add_trial(outcome, std::move(quiet));
-}
-
 // Lateral acceleration at which the vehicle would tip over were it rigid: g track / (2 height of the center of mass), of the
 // narrowest axle and everything that the vehicle carries [m/s^2].
 double tipping_acceleration(const VehicleDescription& vehicle);

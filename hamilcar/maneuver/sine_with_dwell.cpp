@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 #include "hamilcar/maneuver/catalog.hpp"
 #include "hamilcar/maneuver/sine_with_dwell_limits.hpp"
@@ -127,7 +126,8 @@ void add_figures(const std::vector<Driven>& runs, Outcome& outcome) {
 
 std::vector<Setting> settings(const VehicleDescription&) {
     return {{"speed", "km/h", "from which the vehicle coasts", 80, 30, 120},
-            {"amplitudes", "", "a direction; fewer are spread evenly, 0: all of the standard", 0, 0, 30}};
+            {"amplitudes", "", "a direction; fewer are spread evenly, 0: all of the standard", 0, 0, 30,
+             SettingKind::whole}};
 }
 
 Outcome drive_all(const VehicleDescription& vehicle, const Settings& settings, const ManeuverOptions& options) {
@@ -147,7 +147,7 @@ Outcome drive_all(const VehicleDescription& vehicle, const Settings& settings, c
     const double count = 2.0 * static_cast<double>(wanted.size());
     std::vector<Driven> runs;
     Histories histories;
-    std::map<std::string, std::vector<double>> troubles;  // amplitudes [deg]
+    std::vector<double> fallen;  // amplitudes at which it fell over [deg]
     for (const double side : {1.0, -1.0}) {
         for (const double factor : wanted) {
             const auto part = [&](double n) { return slow_share + (1 - slow_share) * n / count; };
@@ -156,21 +156,21 @@ Outcome drive_all(const VehicleDescription& vehicle, const Settings& settings, c
             const bool last = factor == wanted.back();
             Trial trial = dwell::drive_run(vehicle, options, speed, planned, last && options.keep_runs,
                                            share(options, part(n), part(n + 1)));
-            if (interrupted(trial)) {
-                outcome.failed = "interrupted";
+            if (trial.breaks_off()) {
+                add_trial(outcome, std::move(trial));
                 return outcome;
             }
             runs.push_back(dwell::driven(trial.history, planned.amplitude, factor));
             if (last) histories.add(trial.history, planned.amplitude);
-            if (trial.trouble) troubles[*trial.trouble].push_back(std::abs(planned.amplitude) / degree);
-            trial.trouble.reset();     // told once for all runs
-            trial.complaints.clear();  // that a coasting car does not hold its speed
+            if (trial.stopped == Stopped::fell_over) fallen.push_back(std::abs(planned.amplitude) / degree);
+            trial.stopped = Stopped::no;  // told once for all runs
+            trial.complaints.clear();     // that a coasting car does not hold its speed
             add_trial(outcome, std::move(trial));
         }
     }
-    for (const auto& [trouble, amplitudes] : troubles) {
-        outcome.notes.push_back(fmt::format("{} of {} runs: {}, from {:.0f} deg on", amplitudes.size(), runs.size(),
-                                            trouble, *std::ranges::min_element(amplitudes)));
+    if (!fallen.empty()) {
+        outcome.notes.push_back(fmt::format("{} of {} runs: the vehicle fell over, from {:.0f} deg on", fallen.size(),
+                                            runs.size(), std::ranges::min(fallen)));
     }
     add_figures(runs, outcome);
     dwell::add_verdicts(vehicle, runs, outcome);

@@ -39,6 +39,7 @@ Turn turn(const VehicleDescription& vehicle, const ManeuverOptions& options, dou
     scenario.driver.ending.lateral_acceleration = std::min(enough, tipping_share * tipping_acceleration(vehicle));
     Turn out;
     out.trial = drive(vehicle, scenario, {.keep_going = share(options, from, to)});
+    if (out.trial.breaks_off()) return out;
     const History& h = out.trial.history;
     for (const double value : smoothed(h.lateral_acceleration, row_rate(h))) out.acceleration.push_back(side * value);
     for (const double value : h.steering_wheel) out.angle.push_back(side * value);
@@ -83,9 +84,8 @@ SlowSteer slow_steer(const VehicleDescription& vehicle, const ManeuverOptions& o
     for (int i = 0; i < directions; ++i) {
         const double side = i == 0 ? 1 : -1, width = (to - from) / directions;
         const Turn one = turn(vehicle, options, speed, side, from + i * width, from + (i + 1) * width);
-        add_search_trial(outcome, one.trial);
-        if (interrupted(one.trial)) {
-            out.failed = "interrupted";
+        if (!add_search_trial(outcome, one.trial)) {
+            out.failed = outcome.failed;
             return out;
         }
         const double reached = *std::ranges::max_element(one.acceleration);
@@ -95,7 +95,7 @@ SlowSteer slow_steer(const VehicleDescription& vehicle, const ManeuverOptions& o
             out.failed = fmt::format(
                 "slowly increasing steer at {:.4g} km/h came to a lateral acceleration of {:.2f} m/s^2 "
                 "only, too little for the angle at 0.3 g{}",
-                speed / kilometer_per_hour, reached, one.trial.trouble ? ": " + *one.trial.trouble : "");
+                speed / kilometer_per_hour, reached, one.trial.trouble.empty() ? "" : ": " + one.trial.trouble);
             return out;
         }
         out.angle += (sought - fit->intercept) / fit->slope / directions;

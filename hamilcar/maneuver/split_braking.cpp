@@ -38,8 +38,9 @@ std::vector<Setting> settings(const VehicleDescription& vehicle) {
         {"pedal_rise", "s", "from nothing to that", heavy ? 0.4 : 0.1, 0.01, 2},
         {"friction", "", "of the good side, times the tires' own", 1, 0.1, 1.5},
         {"low_friction", "", "of the other side, likewise", 0.2, 0.02, 1.5},
-        {"low_side", "", "1: the left side is slippery; -1: the right one", 1, -1, 1},
-        {"steering", "", "on the way to standstill: 0: held straight; 1: the driver corrects", 1, 0, 1},
+        {"low_side", "", "1: the left side is slippery; -1: the right one", 1, -1, 1, SettingKind::side},
+        {"steering", "", "on the way to standstill: 0: held straight; 1: the driver corrects", 1, 0, 1,
+         SettingKind::toggle},
     };
 }
 
@@ -51,7 +52,7 @@ RoadDescription split_road(const RoadDescription& road, const Settings& chosen) 
     RoadDescription out = road;
     FrictionPatchDescription slippery;
     slippery.friction = chosen.at("low_friction") / chosen.at("friction");
-    (chosen.at("low_side") >= 0 ? slippery.right : slippery.left) = 0;
+    (chosen.at("low_side") == 1 ? slippery.right : slippery.left) = 0;
     out.friction *= chosen.at("friction");
     out.patches.push_back(slippery);
     return out;
@@ -152,7 +153,7 @@ bool hold_at_first(Outcome& outcome, const VehicleDescription& vehicle, const Se
     TrialOptions only_rows = straight::trial_options(options, 0, share);
     only_rows.film = false;
     Trial trial = drive(vehicle, scenario, only_rows);
-    if (!straight::add_drive(outcome, trial)) return false;
+    if (!take_whole(outcome, trial)) return false;
     add_response_figures(outcome, trial.history);
     add_yaw_chart(outcome, trial.history);
     return true;
@@ -161,13 +162,13 @@ bool hold_at_first(Outcome& outcome, const VehicleDescription& vehicle, const Se
 Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, const ManeuverOptions& options) {
     Outcome outcome;
     constexpr double at_first = 0.2;  // of the progress
-    const bool corrects = chosen.at("steering") > 0.5 && needs_steering(vehicle).empty();
-    if (chosen.at("steering") > 0.5 && !corrects) outcome.notes.push_back(needs_steering(vehicle) + ": straight on");
+    const bool corrects = chosen.at("steering") == 1 && needs_steering(vehicle).empty();
+    if (chosen.at("steering") == 1 && !corrects) outcome.notes.push_back(needs_steering(vehicle) + ": straight on");
     if (!hold_at_first(outcome, vehicle, chosen, options, at_first)) return outcome;
     Trial trial =
         drive(vehicle, split_stop(vehicle, chosen, options, corrects), straight::trial_options(options, at_first, 1));
     braking::end_at_standstill(trial);
-    const bool whole = straight::add_drive(outcome, trial);
+    const bool whole = take_whole(outcome, trial);
     const braking::Stop stop = braking::evaluated(trial.history);
     add_stop_figures(outcome, stop);
     braking::add_lock_figures(outcome, vehicle, stop);

@@ -207,13 +207,10 @@ double largest_lateral_acceleration(const History& history, const std::function<
 
 void finish_steady(Outcome& outcome, Trial trial, std::size_t states) {
     constexpr std::size_t least = 6;  // of a fit
-    if (interrupted(trial)) {
-        outcome.failed = trial.trouble;
-    } else if (states < least) {
+    if (trial.ended) outcome.notes.push_back("end of the test: " + *trial.ended);
+    if (add_trial(outcome, std::move(trial)) && states < least) {
         outcome.failed = fmt::format("only {} steady states were reached, {} are needed", states, least);
     }
-    if (trial.ended) outcome.notes.push_back("end of the test: " + *trial.ended);
-    add_trial(outcome, std::move(trial));
 }
 
 }  // namespace hamilcar

@@ -1,5 +1,7 @@
 #include "hamilcar/maneuver/steering_gain.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,23 +41,38 @@ io::Chart gain_chart(const std::string& of, const std::string& unit, std::vector
                        {.label = "linear theory", .x = std::move(theory_x), .y = std::move(theory_y)}}};
 }
 
-void add_charts(const SteeringGain& found, const SteeringGain& theory, Outcome& outcome) {
-    const auto add = [&](const std::string& of, const std::string& unit, double factor, auto response) {
-        outcome.charts.push_back(gain_chart(of + " gain", "gain [" + unit + "]", found.frequency,
-                                            magnitudes(found.*response, factor), theory.frequency,
-                                            magnitudes(theory.*response, factor)));
-        outcome.charts.push_back(gain_chart(of + " phase", "phase [deg]", found.frequency, phases(found.*response),
-                                            theory.frequency, phases(theory.*response)));
-    };
-    add("yaw rate", "deg/s/deg", 1, &SteeringGain::yaw_rate);
-    add("lateral acceleration", "m/s^2/deg", degree, &SteeringGain::lateral_acceleration);
-    if (found.yaw_coherence.empty()) return;
-    outcome.charts.push_back(
-        {.title = "coherence",
-         .x_label = "frequency [Hz]",
-         .y_label = "coherence [1]",
-         .curves = {{.label = "yaw rate", .x = found.frequency, .y = found.yaw_coherence},
-                    {.label = "lateral acceleration", .x = found.frequency, .y = found.lateral_coherence}}});
+// One output of the vehicle: how it is called and measured.
+struct Output {
+    std::string name, unit;
+    double factor;  // of the response per radian, in that unit
+    std::vector<std::complex<double>> SteeringGain::*response;
+};
+const Output yaw_rate_output{"yaw rate", "deg/s/deg", 1, &SteeringGain::yaw_rate};
+const Output lateral_output{"lateral acceleration", "m/s^2/deg", degree, &SteeringGain::lateral_acceleration};
+
+void add_charts(const Output& of, const SteeringGain& found, const SteeringGain& theory, Outcome& outcome) {
+    outcome.charts.push_back(gain_chart(of.name + " gain", "gain [" + of.unit + "]", found.frequency,
+                                        magnitudes(found.*of.response, of.factor), theory.frequency,
+                                        magnitudes(theory.*of.response, of.factor)));
+    outcome.charts.push_back(gain_chart(of.name + " phase", "phase [deg]", found.frequency, phases(found.*of.response),
+                                        theory.frequency, phases(theory.*of.response)));
+}
+
+void add_gain_figure(const Output& of, double gain, const SteadyGain& steady, Outcome& outcome) {
+    const bool line = steady.line > 0;
+    outcome.figures.push_back(
+        {of.name + (line ? " gain at the lowest line" : " gain"), of.unit,
+         line ? fmt::format("per angle of the steering wheel at {:.3f} Hz, the lowest line that counts", steady.line)
+              : "steady, per angle of the steering wheel",
+         gain * of.factor});
+}
+
+void add_lags(const Output& of, const SteeringGain& found, Outcome& outcome) {
+    const std::vector<double> phase = phases(found.*of.response);
+    for (const double at : {0.5, 1.0}) {
+        outcome.figures.push_back({fmt::format("{} lag at {:g} Hz", of.name, at), "s", "phase as time",
+                                   -value_at(found.frequency, phase, at) / 360 / at});
+    }
 }
 
 // Place of the motor vehicle's center of mass, from that of its chassis: ahead and above [m].
@@ -129,32 +146,50 @@ SteadyGain lowest_gain(const SteeringGain& found) {
     return {std::abs(found.yaw_rate.front()), std::abs(found.lateral_acceleration.front())};
 }
 
-void add_gain(const SteeringGain& found, const SteadyGain& steady, const SteeringGain& theory, Outcome& outcome) {
+void add_yaw_rate_gain(const SteeringGain& found, const SteadyGain& steady, const SteeringGain& theory,
+                       Outcome& outcome) {
     const std::vector<double>& f = found.frequency;
     if (f.empty()) return;
     const std::vector<double> gain = magnitudes(found.yaw_rate, 1 / steady.yaw_rate), phase = phases(found.yaw_rate);
-    const std::vector<double> lateral_phase = phases(found.lateral_acceleration);
     const auto top = static_cast<std::size_t>(std::ranges::max_element(gain) - gain.begin());
-    constexpr double lagging = -45;  // [deg]: that of a first-order lag at 1 / T
-    const double at_lag = falls_through(f, phase, lagging);
-    const auto lag = [&](const std::vector<double>& of, double at) { return -value_at(f, of, at) / 360 / at; };
+    constexpr double lagging = -45;   // [deg]: that of a first-order lag at 1 / T
+    constexpr double visible = 1.01;  // peak ratio from which there is a peak, and not just a spectrum's noise
+    const bool line = steady.line > 0, peaks = !line || gain[top] >= visible;
+    const std::string compared =
+        line ? fmt::format("that at {:.3f} Hz, the lowest line that counts", steady.line) : "the steady one";
     const auto add = [&](const std::string& name, const std::string& unit, const std::string& meaning, double value) {
         outcome.figures.push_back({name, unit, meaning, value});
     };
-    add("yaw rate gain", "deg/s/deg", "steady, per angle of the steering wheel", steady.yaw_rate);
-    add("lateral acceleration gain", "m/s^2/deg", "steady", steady.lateral_acceleration * degree);
-    add("yaw rate peak ratio", "", "largest gain over the steady one", gain[top]);
-    add("yaw rate peak frequency", "Hz", "of the largest gain", f[top]);
-    add("yaw rate bandwidth", "Hz", "where the gain is down to 71 percent of the steady one",
+    add_gain_figure(yaw_rate_output, steady.yaw_rate, steady, outcome);
+    add("yaw rate peak ratio", "", "largest gain over " + compared, gain[top]);
+    add("yaw rate peak frequency", "Hz",
+        peaks ? "of the largest gain" : "no gain is as much as 1 percent above " + compared, peaks ? f[top] : none);
+    add("yaw rate bandwidth", "Hz", "where the gain is down to 71 percent of " + compared,
         falls_through(f, gain, half_power));
     add("yaw rate equivalent time", "s", "1 / (2 pi f) where the yaw rate lags by 45 degrees",
-        1 / (2 * std::numbers::pi * at_lag));
-    for (const double at : {0.5, 1.0}) {
-        const std::string where = at < 1 ? " at 0.5 Hz" : " at 1 Hz";
-        add("yaw rate lag" + where, "s", "phase as time", lag(phase, at));
-        add("lateral acceleration lag" + where, "s", "phase as time", lag(lateral_phase, at));
-    }
-    add_charts(found, theory, outcome);
+        1 / (2 * std::numbers::pi * falls_through(f, phase, lagging)));
+    add_lags(yaw_rate_output, found, outcome);
+    add_charts(yaw_rate_output, found, theory, outcome);
+}
+
+void add_lateral_acceleration_gain(const SteeringGain& found, const SteadyGain& steady, const SteeringGain& theory,
+                                   Outcome& outcome) {
+    if (found.frequency.empty()) return;
+    add_gain_figure(lateral_output, steady.lateral_acceleration, steady, outcome);
+    add_lags(lateral_output, found, outcome);
+    add_charts(lateral_output, found, theory, outcome);
+}
+
+void add_gain(const SteeringGain& found, const SteadyGain& steady, const SteeringGain& theory, Outcome& outcome) {
+    add_yaw_rate_gain(found, steady, theory, outcome);
+    add_lateral_acceleration_gain(found, steady, theory, outcome);
+    if (found.yaw_coherence.empty()) return;
+    outcome.charts.push_back(
+        {.title = "coherence",
+         .x_label = "frequency [Hz]",
+         .y_label = "coherence [1]",
+         .curves = {{.label = "yaw rate", .x = found.frequency, .y = found.yaw_coherence},
+                    {.label = "lateral acceleration", .x = found.frequency, .y = found.lateral_coherence}}});
 }
 
 }  // namespace hamilcar

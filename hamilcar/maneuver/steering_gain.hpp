@@ -19,13 +19,22 @@ struct SteeringGain {
 // Straight ahead at a speed [m/s], by the exact linearization; empty where there is none.
 SteeringGain theoretical_gain(const VehicleDescription& vehicle, double speed, const std::vector<double>& frequency);
 
-// `steady`: the yaw rate's gain at no frequency, where the test shows it, else that at the lowest one counts. Adds steady gains,
-// peak ratio, equivalent time, bandwidth, lags and the diagrams with linear theory beside the test.
+// What gains are compared with: those at no frequency, where the test shows them, else those at the lowest one.
 struct SteadyGain {
     double yaw_rate, lateral_acceleration;  // [1/s], [m/s^2/rad]
+    // Of the line of a spectrum that stands for them; 0: they are steady. Spectra are noisy: a peak that is less than 1 percent
+    // above it is none [Hz].
+    double line = 0;
 };
-void add_gain(const SteeringGain& found, const SteadyGain& steady, const SteeringGain& theory, Outcome& outcome);
 SteadyGain lowest_gain(const SteeringGain& found);
+// Gain, peak ratio, bandwidth, equivalent time, lags and the diagrams with linear theory beside the test.
+void add_yaw_rate_gain(const SteeringGain& found, const SteadyGain& steady, const SteeringGain& theory,
+                       Outcome& outcome);
+// Gain, lags and diagrams.
+void add_lateral_acceleration_gain(const SteeringGain& found, const SteadyGain& steady, const SteeringGain& theory,
+                                   Outcome& outcome);
+// Both, and their coherence where the test has it.
+void add_gain(const SteeringGain& found, const SteadyGain& steady, const SteeringGain& theory, Outcome& outcome);
 
 // Phases without jumps of a turn, from the first one on, which lies within half a turn of zero [deg].
 std::vector<double> phases(const std::vector<std::complex<double>>& response);

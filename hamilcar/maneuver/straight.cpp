@@ -69,27 +69,14 @@ TrialOptions trial_options(const ManeuverOptions& options, double from, double t
 
 Trial drive_again_finely(const VehicleDescription& vehicle, const ScenarioDescription& scenario,
                          const TrialOptions& options) {
-    bool stopped = false;
-    TrialOptions watched = options;
-    if (options.keep_going) watched.keep_going = [&](double done) { return !(stopped = !options.keep_going(done)); };
-    Trial trial = drive(vehicle, scenario, watched);
-    constexpr double tipped = 1;  // roll of a car that falls over: finer steps do not help [rad]
-    if (!trial.trouble || stopped || std::abs(trial.history.roll.back()) > tipped) return trial;
+    Trial trial = drive(vehicle, scenario, options);
+    if (trial.stopped != Stopped::numerical) return trial;
     ScenarioDescription finer = scenario;
     finer.solver.step /= 4;
     trial = drive(vehicle, finer, options);
     trial.complaints.push_back(fmt::format("the step of {:g} s was too long for this vehicle: driven with {:g} s",
                                            scenario.solver.step, finer.solver.step));
     return trial;
-}
-
-bool add_drive(Outcome& outcome, Trial& trial) {
-    Trial told;  // what failed is told as that, not as a note beside it; the history stays
-    told.complaints = trial.complaints, told.energy = trial.energy;
-    told.film = std::move(trial.film);
-    add_trial(outcome, std::move(told));
-    outcome.failed = trial.trouble;
-    return !trial.trouble;
 }
 
 Series series(const History& history, const std::vector<double>& values) {

@@ -37,8 +37,6 @@ TrialOptions trial_options(const ManeuverOptions& options, double from, double t
 // axles stiffer than the usual step stands.
 Trial drive_again_finely(const VehicleDescription& vehicle, const ScenarioDescription& scenario,
                          const TrialOptions& options);
-// Adds all but the history; says so where the drive could not be finished. Whether it was.
-bool add_drive(Outcome& outcome, Trial& trial);
 
 Series series(const History& history, const std::vector<double>& values);
 // Driven since the start, along the path of the chassis's center of mass [m].

@@ -36,7 +36,8 @@ std::vector<Setting> settings(const VehicleDescription& vehicle) {
         {"pedal", "%", "of its full travel", 100, 5, 100},
         {"pedal_rise", "s", "from nothing to that", heavy ? 0.4 : 0.1, 0.01, 2},
         {"friction", "", "of the road, times the tires' own", 1, 0.05, 1.5},
-        {"engine_connected", "", "1: a gear stays in; 0: the gearbox goes to neutral with the pedal", 0, 0, 1},
+        {"engine_connected", "", "1: a gear stays in; 0: the gearbox goes to neutral with the pedal", 0, 0, 1,
+         SettingKind::toggle},
     };
 }
 
@@ -82,7 +83,7 @@ void add_lock_order(Outcome& outcome, const VehicleDescription& vehicle, const b
 void add_verdicts(Outcome& outcome, const VehicleDescription& vehicle, const Settings& chosen,
                   const braking::Stop& stop) {
     const bool heavy = straight::is_heavy(vehicle);
-    const Limits limit = limits(heavy, chosen.at("engine_connected") > 0.5);
+    const Limits limit = limits(heavy, chosen.at("engine_connected") == 1);
     const std::string regulation = heavy ? "UN R13" : "UN R13-H";
     if (chosen.at("friction") >= grips) {
         const double allowed = limit.distance(stop.initial_speed);
@@ -156,15 +157,15 @@ Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, cons
     braking::Use use{.speed = chosen.at("speed") * kilometer_per_hour,
                      .pedal = chosen.at("pedal") / 100,
                      .rise = slow_rise(vehicle, friction, chosen.at("pedal") / 100),
-                     .engine_drives = chosen.at("engine_connected") > 0.5};
+                     .engine_drives = chosen.at("engine_connected") == 1};
     Outcome outcome;
     TrialOptions slowly = straight::trial_options(options, 0, 0.5);
     slowly.film = false;
     Trial slow = braked(vehicle, options, friction, use, slowly);
-    if (!straight::add_drive(outcome, slow)) return outcome;
+    if (!take_whole(outcome, slow)) return outcome;
     use.rise = chosen.at("pedal_rise");
     Trial trial = braked(vehicle, options, friction, use, straight::trial_options(options, 0.5, 1));
-    if (!straight::add_drive(outcome, trial)) return outcome;
+    if (!take_whole(outcome, trial)) return outcome;
     const braking::Stop stop = braking::evaluated(trial.history);
     add_figures(outcome, vehicle, chosen, trial.history, stop);
     if (std::isnan(stop.distance)) {

@@ -1,15 +1,20 @@
 #include "hamilcar/maneuver/trial.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
 
 #include "hamilcar/analysis/acceleration.hpp"
+#include "hamilcar/analysis/energy_bounds.hpp"
 #include "hamilcar/analysis/rack_force.hpp"
 #include "hamilcar/block/road_wheels.hpp"
+#include "hamilcar/io/error.hpp"
 #include "hamilcar/run/channels.hpp"
 #include "hamilcar/run/film.hpp"
+#include "hamilcar/run/scenario_checks.hpp"
 #include "hamilcar/run/scene.hpp"
 #include "hamilcar/run/simulation.hpp"
 #include "hamilcar/run/unit_place.hpp"
@@ -197,7 +202,35 @@ std::vector<Channel> film_channels(const VehicleDescription& vehicle) {
     return chosen;
 }
 
+// A steering wheel that a maneuver turns is no key that somebody wrote.
+void check_steering(const VehicleDescription& vehicle, const ScenarioDescription& scenario) {
+    const auto beyond = rack_beyond_stops(scenario, vehicle.steering);
+    if (!beyond) return;
+    throw io::Error(
+        io::ExitCode::numerical,
+        fmt::format("the maneuver needs more steering than {} has: at t = {:g} s of '{}' the rack would stand "
+                    "at {:.4g} m, beyond its stops at {:g} m each way",
+                    vehicle.name, beyond->time, scenario.name, beyond->displacement, vehicle.steering.rack_travel));
+}
+
+// A step too large need not end a drive: it may go on with numbers that no vehicle has.
+void judge(Trial& trial, double step) {
+    const EnergyBook& book = trial.energy;
+    if (trial.breaks_off() || judge_energy(book.gap(), book.turnover) != EnergyVerdict::wrong) return;
+    trial.stopped = Stopped::numerical;
+    trial.trouble = fmt::format(
+        "the energy account is off by {:.2g} J of {:.2g} J turned over, more than a tenth: the step of {:g} s is too "
+        "large for this vehicle, or a number of it is wrong; figures of this drive would be worth nothing",
+        std::abs(book.gap()), book.turnover, step);
+}
+
 }  // namespace
+
+EnergyBook& EnergyBook::operator+=(const EnergyBook& other) {
+    supplied += other.supplied, stored += other.stored, dissipated += other.dissipated;
+    turnover += other.turnover;
+    return *this;
+}
 
 double History::sideslip(std::size_t row) const {
     constexpr double slow = 3;  // [m/s]
@@ -206,6 +239,7 @@ double History::sideslip(std::size_t row) const {
 }
 
 Trial drive(const VehicleDescription& vehicle, const ScenarioDescription& scenario, const TrialOptions& options) {
+    check_steering(vehicle, scenario);
     Simulation simulation(vehicle, scenario);
     Trial trial;
     Observer observer(simulation, options, trial.history);
@@ -224,24 +258,25 @@ Trial drive(const VehicleDescription& vehicle, const ScenarioDescription& scenar
     observe();
     while (!simulation.finished()) {
         if (const auto end = simulation.advance()) {
-            trial.trouble = end->message;
+            trial.stopped = Stopped::numerical, trial.trouble = end->message;
             break;
         }
         if (simulation.ending() || simulation.steps_taken() % every != 0) continue;
         observe();
         if (std::abs(trial.history.roll.back()) > fallen_over) {
-            trial.trouble = "the vehicle fell over";
+            trial.stopped = Stopped::fell_over, trial.trouble = "the vehicle fell over";
             break;
         }
         const double done = simulation.time() / scenario.duration;
         if (options.keep_going && !options.keep_going(done)) {
-            trial.trouble = "interrupted";
+            trial.stopped = Stopped::interrupted, trial.trouble = "interrupted";
             break;
         }
     }
     trial.ended = simulation.ending();
     trial.complaints = simulation.complaints();
     trial.energy = books.book();
+    judge(trial, scenario.solver.step);
     if (options.film) trial.film = film.take();
     return trial;
 }

@@ -39,12 +39,16 @@ struct History {
 
 struct Trial {
     History history;
-    std::optional<std::string> trouble;  // why the car could not go on: the mathematics gave up, or it fell over
-    std::optional<std::string> ended;    // what the driver's ending was, if it came before the time was up
+    Stopped stopped = Stopped::no;     // why the car could not go on
+    std::string trouble;               // the same in words; empty where nothing stopped it
+    std::optional<std::string> ended;  // what the driver's ending was, if it came before the time was up
     std::vector<std::string>
         complaints;  // what the driver could not do: a speed that was not reached, a path that was left
     EnergyBook energy;
     io::PageRun film;  // empty unless asked for
+
+    // The whole maneuver is over, whatever this drive was for: a linkage that came apart is no limit of the vehicle.
+    bool breaks_off() const { return stopped == Stopped::interrupted || stopped == Stopped::numerical; }
 };
 
 struct TrialOptions {
@@ -54,7 +58,8 @@ struct TrialOptions {
     std::function<bool(double)> keep_going;  // told the share done; false: stop
 };
 
-// Runs the scenario. Throws as Simulation does.
+// Runs the scenario. A drive whose energy account is wrong counts as one whose mathematics gave up. Throws as Simulation does;
+// where the scenario asks for more steering than the vehicle has, io::Error(numerical).
 Trial drive(const VehicleDescription& vehicle, const ScenarioDescription& scenario, const TrialOptions& options = {});
 
 }  // namespace hamilcar

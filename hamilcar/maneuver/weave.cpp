@@ -29,7 +29,7 @@ std::vector<Setting> settings(const VehicleDescription& vehicle) {
     return {speed_setting(vehicle, 100, 80),
             acceleration_setting(vehicle, 2, 1, "of the weave's peaks"),
             {"frequency", "Hz", "of the weave", 0.2, 0.05, 1},
-            {"periods", "", "that are evaluated, after one that is not", 3, 1, 20}};
+            {"periods", "", "that are evaluated, after one that is not", 3, 1, 20, SettingKind::whole}};
 }
 
 SignalDescription weaving(double angle, double frequency, double periods) {
@@ -171,7 +171,7 @@ void add_torque(const Weave& weave, const Add& add, Outcome& outcome) {
 Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, const ManeuverOptions& options) {
     Outcome outcome;
     const double speed = chosen.at("speed") * kilometer_per_hour, frequency = chosen.at("frequency");
-    const double wanted = chosen.at("lateral_acceleration"), periods = std::round(chosen.at("periods"));
+    const double wanted = chosen.at("lateral_acceleration"), periods = chosen.at("periods");
     const Amplitude amplitude = amplitude_for(vehicle, speed, wanted / attenuation(vehicle, speed, frequency));
     if (!amplitude.note.empty()) outcome.notes.push_back(amplitude.note);
     const auto scenario = [&](double angle) {

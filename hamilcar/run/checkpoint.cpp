@@ -1,6 +1,6 @@
 // The file: a heading, what the run was made from, the numbers of a snapshot, the rates there, how the run went; a
-// checksum of all of it at the end. It is read whole and believed only if the sum is right: a number changed on the
-// disk would be a wrong result, or an index beyond a list.
+// checksum of all of it at the end. The sum tells of a disk's mistakes, not of a person's: every field is held against the
+// vehicle and the method besides, before the simulation is touched.
 #include "hamilcar/run/checkpoint.hpp"
 
 #include <fmt/format.h>
@@ -8,15 +8,19 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <span>
 
 #include "hamilcar/block/ring.hpp"
 #include "hamilcar/io/checksum.hpp"
 #include "hamilcar/io/error.hpp"
+#include "hamilcar/io/whole_file.hpp"
+#include "hamilcar/run/checkpoint_fields.hpp"
 
 namespace hamilcar {
 
@@ -24,9 +28,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view heading = "hamilcar state 2";  // the number: of this layout
+constexpr std::string_view heading = "hamilcar state 3";  // the number: of this layout
 constexpr std::string_view kind = heading.substr(0, heading.size() - 1);
-constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 30;
 
 using Word = std::array<char, 24>;
 
@@ -62,18 +65,6 @@ Head head_of(const Simulation& simulation, const Origin& origin) {
             .order = std::min(find_method(solver.integrator)->order, max_adams_order)};
 }
 
-// Calls f with every number of a snapshot that a run goes on with.
-template <class Access, class Snapshotted>
-void visit_numbers(Snapshotted& snapshot, const Head& head, Access&& access) {
-    access(snapshot.step_count);
-    access(snapshot.state.values.data(), head.size);
-    access(snapshot.memory.remembered), access(snapshot.memory.newest), access(snapshot.memory.substep);
-    access(snapshot.memory.converged);
-    for (int i = 0; i < head.order; ++i)
-        access(snapshot.memory.past[static_cast<std::size_t>(i)].values.data(), head.size);
-    access(snapshot.inputs), access(snapshot.driver);
-}
-
 class Writer {
 public:
     template <class T>
@@ -81,14 +72,23 @@ public:
         static_assert(std::is_trivially_copyable_v<T>);
         bytes_.append(reinterpret_cast<const char*>(&number), sizeof number);
     }
-    void add(const double* numbers, std::size_t count) {
-        bytes_.append(reinterpret_cast<const char*>(numbers), count * sizeof(double));
-    }
     void add(const std::vector<double>& numbers) {
         add(numbers.size());
-        add(numbers.data(), numbers.size());
+        row({}, numbers, any_finite);
     }
     void add(std::string_view text) { bytes_.append(text); }
+
+    // The fields of a snapshot (checkpoint_fields.hpp).
+    void real(std::string_view, const double& number, Limits) { add(number); }
+    template <class Whole>
+    void whole(std::string_view, const Whole& number, Limits) {
+        add(static_cast<std::int64_t>(number));
+    }
+    void truth(std::string_view, const bool& yes) { add(static_cast<std::uint8_t>(yes)); }
+    void row(std::string_view, std::span<const double> numbers, Limits) {
+        bytes_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes());
+    }
+
     std::string take() {
         io::Checksum sum;
         sum.add(bytes_);
@@ -119,17 +119,48 @@ public:
     }
     template <class T>
     void take(T& number) {
-        static_assert(std::is_trivially_copyable_v<T>);
+        static_assert(std::is_trivially_copyable_v<T> && !std::is_same_v<T, bool> && !std::is_enum_v<T>);
         read(reinterpret_cast<char*>(&number), sizeof number);
     }
-    void take(double* numbers, std::size_t count) { read(reinterpret_cast<char*>(numbers), count * sizeof(double)); }
-    void take(std::vector<double>& numbers) {
+    // A text that ends within its place, and nothing that a terminal would obey.
+    void take(Word& word) {
+        read(word.data(), word.size());
+        const std::string_view text(word.data(), word.size());
+        const std::size_t end = text.find('\0');
+        const auto odd = [](char c) { return c < ' ' || c > '~'; };
+        if (end == text.npos || std::ranges::any_of(text.substr(0, end), odd)) refuse_damaged();
+    }
+    void take(std::string_view name, std::vector<double>& numbers, std::size_t most) {
         std::size_t count = 0;
         take(count);
-        if (count > rest_.size() / sizeof(double)) refuse_damaged();
+        if (count > most || count > rest_.size() / sizeof(double)) refuse_damaged();
         numbers.resize(count);
-        take(numbers.data(), count);
+        row(name, numbers, any_finite);
     }
+
+    // The fields of a snapshot, each within its limits whatever the checksum says: anybody can compute one.
+    void real(std::string_view name, double& number, Limits limits) {
+        take(number);
+        expect(name, number, limits);
+    }
+    template <class Whole>
+    void whole(std::string_view name, Whole& number, Limits limits) {
+        std::int64_t value = 0;
+        take(value);
+        expect(name, static_cast<double>(value), limits);
+        number = static_cast<Whole>(value);
+    }
+    void truth(std::string_view name, bool& yes) {
+        std::uint8_t value = 0;
+        take(value);
+        expect(name, value, {0, 1});
+        yes = value == 1;
+    }
+    void row(std::string_view name, std::span<double> numbers, Limits limits) {
+        read(reinterpret_cast<char*>(numbers.data()), numbers.size_bytes());
+        for (const double number : numbers) expect(name, number, limits);
+    }
+
     void finish() const {
         if (!rest_.empty()) refuse_damaged();
     }
@@ -139,6 +170,14 @@ public:
 
 private:
     [[noreturn]] void refuse_damaged() const { fail("the checkpoint is damaged or cut off"); }
+    void expect(std::string_view name, double value, Limits limits) const {
+        if (value >= limits.least && value <= limits.most) return;
+        const std::string expected = limits.most >= any_finite.most ? "a finite number"
+                                     : limits.least == limits.most
+                                         ? fmt::format("{:g}", limits.least)
+                                         : fmt::format("{:g} to {:g}", limits.least, limits.most);
+        fail(fmt::format("the checkpoint is damaged: {} = {:g}: expected {}", name, value, expected));
+    }
     void read(char* to, std::size_t bytes) {
         if (bytes > rest_.size()) refuse_damaged();
         if (bytes == 0) return;  // where an empty list has no place to copy to
@@ -157,7 +196,7 @@ private:
 void check_place(const std::string& path) {
     std::error_code unknown;
     if (!fs::exists(path, unknown)) return;
-    if (!fs::is_regular_file(path, unknown)) refuse_to_write(path, "not a regular file");
+    if (!fs::is_regular_file(fs::symlink_status(path, unknown))) refuse_to_write(path, "not a regular file");
     std::ifstream file(path, std::ios::binary);
     std::string begins(kind.size(), '\0');
     file.read(begins.data(), static_cast<std::streamsize>(begins.size()));
@@ -167,36 +206,12 @@ void check_place(const std::string& path) {
 }
 
 void put_in_place(const std::string& path, const std::string& bytes) {
-    const std::string beside = path + ".part";
-    std::ofstream file(beside, std::ios::binary);
-    if (!file) refuse_to_write(path, std::strerror(errno));
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    std::error_code error;
-    std::string why = file ? "" : std::strerror(errno);
-    if (why.empty()) fs::rename(beside, path, error);
-    if (error) why = error.message();
-    if (why.empty()) return;
-    fs::remove(beside, error);
-    refuse_to_write(path, why);
-}
-
-std::string read_whole(const std::string& path) {
-    std::error_code unknown;
-    const bool there = fs::exists(path, unknown);
-    if (there && !fs::is_regular_file(path, unknown)) {
-        throw io::Error(io::ExitCode::input_output, path + ": cannot read: not a regular file");
+    try {
+        io::write_whole_file(path, {bytes});
+    } catch (const io::Error& error) {
+        const std::string why = error.what();
+        refuse_to_write(path, why.substr(std::min(why.size(), path.size() + 2)));
     }
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        throw io::Error(io::ExitCode::input_output, fmt::format("{}: cannot read: {}", path, std::strerror(errno)));
-    }
-    const std::uintmax_t size = fs::file_size(path, unknown);
-    if (size > most_bytes) throw io::Error(io::ExitCode::bad_file, path + ": too large for a checkpoint");
-    std::string bytes(size, '\0');
-    file.read(bytes.data(), static_cast<std::streamsize>(size));
-    bytes.resize(static_cast<std::size_t>(file.gcount()));
-    return bytes;
 }
 
 // Rates of every number now. The same for the same vehicle, road and inputs; all parameters that matter are in them.
@@ -220,6 +235,20 @@ std::vector<std::string> differences(const Head& its, const Head& here) {
 
 }  // namespace
 
+SnapshotBounds::SnapshotBounds(const Simulation& simulation)
+    : state_size(static_cast<std::size_t>(simulation.model().vehicle.state_size)),
+      step(simulation.scenario().solver.step) {
+    const Method& method = *find_method(simulation.scenario().solver.integrator);
+    order = std::min(method.order, max_adams_order);
+    is_multi_step =
+        method.family == MethodFamily::adams_bashforth || method.family == MethodFamily::adams_bashforth_moulton;
+    const auto& shifting = simulation.scenario().driver.shifting;
+    const int gears = simulation.driven_car().gears;
+    if (!shifting || gears == 0) return;
+    lowest_gear = shifting->gear.value_or(1);
+    highest_gear = shifting->gear.value_or(gears);
+}
+
 void write_checkpoint(const std::string& path, const Simulation& simulation, const Progressed& progressed,
                       const Origin& origin) {
     check_place(path);
@@ -227,41 +256,41 @@ void write_checkpoint(const std::string& path, const Simulation& simulation, con
     simulation.save(*snapshot);
     const Head head = head_of(simulation, origin);
     Writer file;
-    const auto add = [&](const auto&... what) { file.add(what...); };
     file.add(heading);
-    visit_head(head, add);
-    visit_numbers(*snapshot, head, add);
-    file.add(rates_of(simulation).values.data(), head.size);
-    const RunSummary& s = progressed.summary;
-    file.add(std::array<double, 4>{s.worst_opening, s.worst_energy_drift, s.largest_kinetic_energy, s.wall_time});
+    visit_head(head, [&](const auto& what) { file.add(what); });
+    visit_snapshot(*snapshot, SnapshotBounds(simulation), file);
+    file.row("rates", {rates_of(simulation).values.data(), head.size}, any_finite);
+    visit_figures(progressed.summary, file);
     file.add(progressed.x), file.add(progressed.y);
     put_in_place(path, file.take());
 }
 
 Progressed read_checkpoint(const std::string& path, Simulation& simulation, const Origin& origin) {
-    const std::string bytes = read_whole(path);
+    const std::string bytes = io::read_whole_file(path, io::LargestFile::checkpoint);
     Reader file(bytes, path);
-    const auto take = [&](auto&&... what) { file.take(what...); };
     const Head here = head_of(simulation, origin);
     Head its;
-    visit_head(its, take);
+    visit_head(its, [&](auto& what) { file.take(what); });
     const std::vector<std::string> others = differences(its, here);
     if (!others.empty()) file.fail(fmt::format("the checkpoint is of another {}", fmt::join(others, ", ")));
     const auto snapshot = std::make_unique<Snapshot>();
-    visit_numbers(*snapshot, here, take);
+    visit_snapshot(*snapshot, SnapshotBounds(simulation), file);
     State<double> rates;
-    file.take(rates.values.data(), here.size);
+    file.row("rates", {rates.values.data(), here.size}, any_finite);
     Progressed out;
-    std::array<double, 4> figures{};
-    file.take(figures);
-    out.summary.worst_opening = figures[0], out.summary.worst_energy_drift = figures[1];
-    out.summary.largest_kinetic_energy = figures[2], out.summary.wall_time = figures[3];
-    file.take(out.x), file.take(out.y);
+    visit_figures(out.summary, file);
+    const auto most_rows = static_cast<std::size_t>(snapshot->step_count) + 1;
+    file.take("the path's x", out.x, most_rows), file.take("the path's y", out.y, most_rows);
+    if (out.x.size() != out.y.size()) file.fail("the checkpoint is damaged: its path has more x than y, or fewer");
     file.finish();
+
+    const auto before = std::make_unique<Snapshot>();
+    simulation.save(*before);
     simulation.restore(*snapshot);
     const State<double> now = rates_of(simulation);
     if (!std::equal(now.values.begin(), now.values.begin() + static_cast<std::ptrdiff_t>(here.size),
                     rates.values.begin())) {
+        simulation.restore(*before);
         file.fail("the checkpoint is of another vehicle or scenario: at that instant the rates are not the same");
     }
     return out;

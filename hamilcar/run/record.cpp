@@ -1,12 +1,34 @@
 #include "hamilcar/run/record.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
 namespace hamilcar {
 
-// However rare the rows, Ctrl-C is seen after this many steps.
-constexpr long steps_between_looks = 1000;
+namespace {
+
+// However rare the rows and however slow the steps, Ctrl-C is seen in time: so many steps lie between two looks that they
+// take a tenth of a second, or as many as a look costs nothing beside.
+class LookOut {
+public:
+    bool is_due() {
+        if (++steps_ < steps_between_) return false;
+        const auto now = std::chrono::steady_clock::now();
+        const double took = std::chrono::duration<double>(now - last_).count();
+        const double wanted = static_cast<double>(steps_between_) * wanted_time / std::max(took, 1e-6);
+        steps_between_ = std::lround(std::clamp(wanted, 1.0, most_steps));
+        steps_ = 0, last_ = now;
+        return true;
+    }
+
+private:
+    static constexpr double wanted_time = 0.1, most_steps = 1000;  // [s]
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+    long steps_ = 0, steps_between_ = 1;
+};
+
+}  // namespace
 
 long steps_per_row(const Simulation& simulation, double interval) {
     return std::max(1L, std::lround(interval / simulation.scenario().solver.step));
@@ -24,10 +46,12 @@ RunSummary record(Simulation& simulation, const std::vector<Channel>& channels, 
         for (std::size_t i = 0; i < channels.size(); ++i) row[i] = channels[i].read(sample);
         summary.worst_opening = std::max(summary.worst_opening, sample.violation);
         summary.largest_kinetic_energy = std::max(summary.largest_kinetic_energy, sample.energy.kinetic);
+        summary.largest_work = std::max(summary.largest_work, std::abs(sample.energy.work));  // a NaN is none
         const double drift = std::abs(sample.energy.balance() - simulation.initial_energy_balance());
         summary.worst_energy_drift = std::isnan(drift) ? drift : std::max(summary.worst_energy_drift, drift);
         on_row(sample, row);
     };
+    LookOut look_out;
     bool last_written = simulation.steps_taken() % every == 0;
     if (last_written) write_row();
     while (!simulation.finished()) {
@@ -38,7 +62,7 @@ RunSummary record(Simulation& simulation, const std::vector<Channel>& channels, 
         if (simulation.ending()) break;  // at the state of before
         last_written = simulation.steps_taken() % every == 0;
         if (last_written) write_row();
-        if (!last_written && simulation.steps_taken() % steps_between_looks != 0) continue;
+        if (!look_out.is_due() && !last_written) continue;
         const double share =
             static_cast<double>(simulation.steps_taken()) / static_cast<double>(simulation.total_steps());
         summary.duration = simulation.time(), summary.steps = simulation.steps_taken();

@@ -1,6 +1,7 @@
 // Steps a simulation to its end and writes the chosen channels on the way.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -18,7 +19,10 @@ struct RunSummary {
     bool interrupted = false;
     double worst_opening = 0;           // of a cut joint, at the samples [m]
     double worst_energy_drift = 0;      // of the energy balance, at the samples; NaN if none is kept [J]
-    double largest_kinetic_energy = 0;  // what to compare the drift with [J]
+    double largest_kinetic_energy = 0;  // [J]
+    double largest_work = 0;            // of the forces that keep no energy, either sign [J]
+    // What to compare the drift with [J].
+    double turnover() const { return std::max(largest_kinetic_energy, largest_work); }
     double real_time_factor() const { return wall_time > 0 ? duration / wall_time : 0; }
 };
 

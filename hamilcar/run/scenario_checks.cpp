@@ -10,6 +10,18 @@
 
 namespace hamilcar {
 
+std::optional<RackBeyondStops> rack_beyond_stops(const ScenarioDescription& scenario,
+                                                 const SteeringDescription& steering) {
+    if (scenario.steering_input == SteeringInput::none || steering.rack_travel <= 0) return {};
+    const bool wheel = scenario.steering_input == SteeringInput::steering_wheel;
+    const Column column(steering);
+    for (std::size_t i = 0; i < scenario.steering.value.size(); ++i) {
+        const double asked = scenario.steering.value[i], rack = wheel ? column.rack(asked).displacement : asked;
+        if (std::abs(rack) > steering.rack_travel) return RackBeyondStops{scenario.steering.time[i], rack};
+    }
+    return {};
+}
+
 void reject_key(const std::string& key, const std::string& message) {
     throw io::Error(io::ExitCode::bad_file, fmt::format("key '{}'{}", key, message), key);
 }
@@ -43,16 +55,12 @@ void check_posts(const ScenarioDescription& scenario, const VehicleDescription& 
 
 // The rack ends at its stops; a schedule that asks for more is a mistake, not a wish.
 void check_rack(const ScenarioDescription& scenario, const SteeringDescription& steering) {
-    if (scenario.steering_input == SteeringInput::none || steering.rack_travel <= 0) return;
+    const auto beyond = rack_beyond_stops(scenario, steering);
+    if (!beyond) return;
     const bool wheel = scenario.steering_input == SteeringInput::steering_wheel;
-    const Column column(steering);
-    for (std::size_t i = 0; i < scenario.steering.value.size(); ++i) {
-        const double asked = scenario.steering.value[i], rack = wheel ? column.rack(asked).displacement : asked;
-        if (std::abs(rack) <= steering.rack_travel) continue;
-        reject_key(wheel ? "inputs.steering_wheel" : "inputs.rack",
-                   fmt::format(" at t = {:g} s: the rack would stand at {:.4g}, expected within -{} to {} [m]",
-                               scenario.steering.time[i], rack, steering.rack_travel, steering.rack_travel));
-    }
+    reject_key(wheel ? "inputs.steering_wheel" : "inputs.rack",
+               fmt::format(" at t = {:g} s: the rack would stand at {:.4g}, expected within -{} to {} [m]",
+                           beyond->time, beyond->displacement, steering.rack_travel, steering.rack_travel));
 }
 
 // Pedals and gears need power units, and a gear has to be there.

@@ -1,6 +1,7 @@
 // Handling from the linear theory against circles driven by Newton's method, the bicycle model on the tires' own stiffness,
 // and sine steering in time.
 #include "hamilcar/analysis/handling.hpp"
+#include "hamilcar/analysis/no_solution.hpp"
 
 #include <gtest/gtest.h>
 
@@ -173,10 +174,10 @@ TEST(CriticalSpeed, IsWhereTheCarBecomesUnstable) {
 }
 
 TEST(Steady, NeedsAVehicleThatDrives) {
-    EXPECT_THROW(steady_handling(test::shipped("bmw_323i"), 0), std::domain_error);
+    EXPECT_THROW(steady_handling(test::shipped("bmw_323i"), 0), NoSolution);
     VehicleDescription coasting = test::shipped("bmw_323i");
     for (CornerDescription& corner : coasting.corners) corner.drive_share = 0;
-    EXPECT_THROW(steady_handling(coasting, speed), std::domain_error);
+    EXPECT_THROW(steady_handling(coasting, speed), NoSolution);
 }
 
 // Amplitude and phase of a quantity over whole periods, as a factor of sin(w t); offset and trend apart.
@@ -245,8 +246,8 @@ TEST_P(Handling, RespondsToSineSteeringAsInTime) {
             const std::complex<double> linear =
                 steering_response(model, rack_per_angle, watched[k], {2 * std::numbers::pi * frequency})[0];
             const std::complex<double> ratio = in_time[k] / linear;
-            EXPECT_NEAR(std::abs(ratio), 1, 1e-3) << watched_names[k] << " at " << frequency << " Hz";
-            EXPECT_NEAR(std::arg(ratio), 0, 0.1 * degree) << watched_names[k] << " at " << frequency << " Hz";
+            EXPECT_NEAR(std::abs(ratio), 1, 5e-4) << watched_names[k] << " at " << frequency << " Hz";
+            EXPECT_NEAR(std::arg(ratio), 0, 0.06 * degree) << watched_names[k] << " at " << frequency << " Hz";
         }
     }
 }

@@ -1,10 +1,13 @@
-// Kinematics against the published and derived figures of the vehicle data (E30: section 2.3 and 2.4 of the notes, E21:
-// VDANL), against textbook linkages, and against each other.
+// Kinematics against the figures that the hardpoints were solved for, published (W2, W6, VDANL: sources in the vehicles'
+// files) or derived, against textbook linkages, and against each other.
 #include "hamilcar/analysis/kinematics.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include "hamilcar/suspension/compose_corner.hpp"
@@ -32,7 +35,7 @@ double gain(const AxleReport& report, double WheelFigures::*figure) {
            (rows[middle + 1].left.travel - rows[middle - 1].left.travel);
 }
 
-TEST(E30, FrontFiguresAreThoseOfTheNotes) {
+TEST(E30, FrontFiguresAreThoseItWasLaidOutFor) {
     const AxleReport front = axle(test::shipped("bmw_323i"), "front");
     const WheelFigures& f = front.design.left;
     EXPECT_NEAR(degree * f.caster, 8.94, 0.02);        // W6
@@ -51,7 +54,7 @@ TEST(E30, FrontFiguresAreThoseOfTheNotes) {
     EXPECT_NEAR(front.anti_brake, 12, 0.5);
 }
 
-TEST(E30, RearFiguresAreThoseOfTheNotes) {
+TEST(E30, RearFiguresAreThoseItWasLaidOutFor) {
     const AxleReport rear = axle(test::shipped("bmw_323i"), "rear");
     EXPECT_NEAR(rear.design.roll_center, 0.1225, 3e-4);
     EXPECT_NEAR(degree * gain(rear, &WheelFigures::camber), -35.1, 0.05);  // W2: 0.9 degrees an inch
@@ -69,7 +72,7 @@ TEST(E21, CamberGainsAreThoseOfVdanl) {
     EXPECT_NEAR(gain(rear, &WheelFigures::camber) * foot, -0.276, 1e-3);
     EXPECT_NEAR(front.design.left.wheel_rate, 24453, 60);
     EXPECT_NEAR(rear.design.left.wheel_rate, 19636, 60);
-    EXPECT_NEAR(rear.design.roll_center, 0.173, 3e-3);  // of the notes, with a sweep of 20 degrees
+    EXPECT_NEAR(rear.design.roll_center, 0.173, 3e-3);  // derived for a sweep of 20 degrees
 }
 
 TEST(Kinematics, ComposedCornersGiveTheSameFigures) {
@@ -140,6 +143,27 @@ TEST_P(EveryAxle, GoesThroughItsSweepsSymmetrically) {
 
 INSTANTIATE_TEST_SUITE_P(Vehicles, EveryAxle, testing::ValuesIn(test::fleet()),
                          [](const auto& one) { return one.param; });
+
+// Its toe link steers the rear axle, and comes to a dead center at 125 mm of rack: behind it lies another branch of the linkage,
+// on which the wheel would stand the other way round.
+TEST(Kinematics, SteerEndsBeforeADeadCenter) {
+    const std::filesystem::path file =
+        std::filesystem::temp_directory_path() / ("steered_" + std::to_string(getpid()) + ".toml");
+    std::ofstream(file) << "base = '" << test::source_path("vehicles/bmw_e90_330i.toml")
+                        << "'\n[steering]\nrack_travel_m = 0.2\n[[axle]]\nname = 'rear'\n[axle.hardpoints]\n"
+                        << "steered = true\nrack_axis = [0, -1, 0]\n";
+    const AxleReport rear = axle(io::read_vehicle(file.string()), "rear");
+    std::filesystem::remove(file);
+    const Sweep& steer = rear.sweeps.back();
+    ASSERT_EQ(steer.name, "steer");
+    EXPECT_NE(steer.ended.find("rack 130.0 mm"), std::string::npos) << steer.ended;
+    EXPECT_NEAR(steer.rows.back().rack, 0.12, 1e-9);
+    for (std::size_t i = 1; i < steer.rows.size(); ++i) {
+        const double turned = steer.rows[i].left.steer - steer.rows[i - 1].left.steer;
+        EXPECT_GT(turned, 0) << steer.rows[i].rack;
+        EXPECT_LT(turned * degree, 15) << steer.rows[i].rack;
+    }
+}
 
 }  // namespace
 }  // namespace hamilcar

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
@@ -38,18 +39,28 @@ TEST_F(Program, TellsAFailedVerdictByItsExitCode) {
 }
 
 TEST_F(Program, DrivesAManeuverOfAScenarioFile) {
+    const auto maneuver_for = [&](const std::string& text) {
+        const fs::path path = folder_ / "scenario.toml";
+        std::ofstream(path) << "name = \"t\"\nvehicle = \"" << car << "\"\n" << text;
+        return path.string();
+    };
     const std::string scenario =
-        scenario_for(car, "[maneuver]\nname = \"weave\"\n[maneuver.settings]\nspeed_km_per_h = 90.0\n");
+        maneuver_for("[maneuver]\nname = \"weave\"\n[maneuver.settings]\nspeed_km_per_h = 90.0\n");
     ASSERT_EQ(run("check " + scenario).code, 0);
-    const Outcome r = run("run " + scenario + " --json");
-    ASSERT_EQ(r.code, 0) << r.err;
-    EXPECT_EQ(nlohmann::json::parse(r.out)["settings"][0]["value"], 90);
+    for (const auto& [typed, speed] :
+         std::map<std::string, double>{{"", 90}, {" --set speed=85", 85}, {" --set speed_km_per_h=85", 85}}) {
+        const Outcome r = run("run " + scenario + " --json" + typed);
+        ASSERT_EQ(r.code, 0) << r.err;
+        EXPECT_EQ(nlohmann::json::parse(r.out)["settings"][0]["value"], speed) << typed;
+    }
     for (const auto& [more, what] : std::vector<std::pair<std::string, std::string>>{
              {"[maneuver]\nname = \"weeve\"\n", "did you mean 'weave'"},
              {"[maneuver]\nname = \"weave\"\n[maneuver.settings]\nspeed_km_per_h = 900.0\n", "[km/h]"},
+             {"[maneuver]\nname = \"weave\"\n[maneuver.settings]\nspeed = 90.0\nspeed_km_per_h = 80.0\n",
+              "each setting once"},
              {"[maneuver]\nname = \"weave\"\n[maneuver.settings]\nsped = 90.0\n", "did you mean 'speed'"}}) {
         for (const char* command : {"run ", "check "}) {
-            const Outcome mistaken = run(command + scenario_for(car, more));
+            const Outcome mistaken = run(command + maneuver_for(more));
             EXPECT_EQ(mistaken.code, 3) << more;
             EXPECT_THAT(mistaken.err, HasSubstr(what));
             EXPECT_THAT(mistaken.err, HasSubstr("scenario.toml:"));
@@ -71,13 +82,42 @@ TEST_F(Program, SaysWhatAVehicleCannotDo) {
     EXPECT_EQ(run("run " + scenario_for(car) + " --set speed=3").code, 2);
 }
 
+TEST_F(Program, TakesMistypedManeuversAndSettingsForMistakesOfUsage) {
+    for (const auto& [typed, what] : std::vector<std::pair<std::string, std::string>>{
+             {"weeve", "did you mean 'weave'"},
+             {"weave --set sped=80", "did you mean 'speed'"},
+             {"weave --set speed=800", "expected 20 to 250 [km/h]"},
+             {"weave --set speed", "NAME=NUMBER"},
+             {"weave --set speed=0x50", "expected a decimal number"},
+             {"weave --set speed=inf", "expected a decimal number"},
+             {"weave --set speed=80km/h", "the unit is km/h, without it"},
+             {"weave --set speed=80 --set speed_km_per_h=60", "each setting once"},
+             {"fishhook --set feedback=0.3", "expected 0 or 1"}}) {
+        const Outcome mistaken = run("run --maneuver " + typed);
+        EXPECT_EQ(mistaken.code, 2) << typed;
+        EXPECT_THAT(mistaken.err, HasSubstr(what)) << typed;
+    }
+}
+
+TEST_F(Program, TellsALinkageThatCameApartInAManeuverByItsExitCode) {
+    const Outcome r = run("run --maneuver double_lane_change --vehicle " + car + " --step 0.02 -o out");
+    EXPECT_EQ(r.code, 4);
+    EXPECT_THAT(r.err, HasSubstr("double_lane_change: at t = "));
+    EXPECT_THAT(r.out, testing::Not(HasSubstr("PASSED")));
+    EXPECT_THAT(r.out, testing::Not(HasSubstr("roll angle")));
+    EXPECT_TRUE(nlohmann::json::parse(contents(folder_ / "out/outcome.json"))["verdicts"].empty());
+}
+
 TEST_F(Program, ListsManeuversForAVehicle) {
     const Outcome r = run("maneuvers " + car + " --json");
     ASSERT_EQ(r.code, 0) << r.err;
     const auto list = nlohmann::json::parse(r.out);
     EXPECT_EQ(list.size(), 19u);
     for (const auto& maneuver : list) EXPECT_FALSE(maneuver["summary"].get<std::string>().empty());
-    EXPECT_THAT(run("maneuvers").out, HasSubstr("speed=80 km/h"));
+    const std::string told = run("maneuvers").out;
+    EXPECT_THAT(told, HasSubstr("speed=80 km/h"));
+    EXPECT_THAT(told, HasSubstr("(0 or 1)"));
+    EXPECT_THAT(told, HasSubstr("(a whole number, 1 to 20)"));
 }
 
 TEST_F(Program, ComparesOutcomes) {

@@ -104,7 +104,7 @@ TEST_F(ScenarioWithFiles, HasItsInputsThere) {
 TEST_F(ScenarioWithFiles, SaysWhatIsWrong) {
     EXPECT_THAT(mistake("[inputs.brake]\nfile = \"none.csv\"\ncolumn = \"foot\"\n"),
                 testing::AllOf(HasSubstr("s.toml:5:8: key 'inputs.brake.file' = \"none.csv\""),
-                               HasSubstr("none.csv: No such file or directory")));
+                               HasSubstr("none.csv: cannot read: No such file or directory")));
     EXPECT_THAT(mistake("[inputs.brake]\nfile = \".\"\ncolumn = \"foot\"\n"), HasSubstr("Is a directory"));
     try {
         read("[inputs.brake]\nfile = \"none.csv\"\ncolumn = \"foot\"\n");

@@ -153,7 +153,7 @@ TEST(DriverFile, TellsWhatIsWrongInAFileOfPoints) {
     EXPECT_THAT(mistake(scenario, "O,0\n1,0\n2,0\n"), HasSubstr("line.csv:1: expected a point")) << "no heading";
     EXPECT_THAT(mistake("[driver.path]\nfile = \"none.csv\"\n"),
                 AllOf(HasSubstr("s.toml:2:8: key 'driver.path.file' = \"none.csv\": expected a file that can be read"),
-                      HasSubstr("none.csv: No such file or directory")));
+                      HasSubstr("none.csv: cannot read: No such file or directory")));
     EXPECT_THAT(mistake("[driver.path]\nfile = \".\"\n"),
                 AllOf(HasSubstr("s.toml:2:8: key 'driver.path.file' = \".\""), HasSubstr("Is a directory")));
 }

@@ -100,7 +100,7 @@ TEST_F(ResultFiles, LeaveOutColumnsOfText) {
 }
 
 TEST_F(ResultFiles, ThatAreNoneAreToldSo) {
-    expect_error(folder_ / "nowhere.nc", ExitCode::input_output, "nowhere.nc: no such file");
+    expect_error(folder_ / "nowhere.nc", ExitCode::input_output, "nowhere.nc: cannot read: No such file");
     const std::string text = folder_ / "results.csv";
     std::ofstream(text) << "time [s],a [m]\n0,1\n";
     expect_error(text, ExitCode::bad_file, "expected a netCDF file of results (results.nc): a table of text");
@@ -111,6 +111,92 @@ TEST_F(ResultFiles, ThatAreNoneAreToldSo) {
     nc_create((folder_ / "other.nc").c_str(), NC_CLOBBER, &id);
     nc_close(id);
     expect_error(folder_ / "other.nc", ExitCode::bad_file, "expected a result of hamilcar");
+}
+
+// What a file may ask of the library that believes it. All of these crashed, hung or took gigabytes.
+class ForeignResults : public ResultFiles {
+protected:
+    // A file of the library's own with one dimension, `time`, and a variable of that name.
+    std::string with_time(nc_type type, int rank) {
+        const std::string path = folder_ / "foreign.nc";
+        int id = 0, dimension = 0, variable = 0;
+        nc_create(path.c_str(), NC_CLOBBER, &id);
+        nc_def_dim(id, "time", 2, &dimension);
+        const std::array<int, 2> shape{dimension, dimension};
+        nc_def_var(id, "time", type, rank, shape.data(), &variable);
+        nc_close(id);
+        return path;
+    }
+    // A result whose big-endian number at `offset` is another.
+    std::string with_number(std::size_t offset, std::uint32_t number) {
+        std::string bytes = read_file(write(3));
+        for (std::size_t i = 0; i < 4; ++i) bytes[offset + i] = static_cast<char>(number >> (24 - 8 * i));
+        return folder_.write("forged.nc", bytes);
+    }
+};
+
+TEST_F(ForeignResults, NeedATimeOfNumbersOverItsOwnDimension) {
+    for (const auto& [type, rank] : {std::pair(NC_CHAR, 1), std::pair(NC_DOUBLE, 0), std::pair(NC_DOUBLE, 2)}) {
+        expect_error(with_time(type, rank), ExitCode::bad_file, "with a variable time [s] of numbers");
+    }
+    EXPECT_EQ(read_result(with_time(NC_FLOAT, 1)).columns.size(), 1u);
+}
+
+TEST_F(ForeignResults, OfAnotherFormatAreRefusedByTheirFirstBytes) {
+    int id = 0;
+    const std::string path = folder_ / "hdf5.nc";
+    ASSERT_EQ(nc_create(path.c_str(), NC_CLOBBER | NC_NETCDF4, &id), NC_NOERR);
+    nc_close(id);
+    expect_error(path, ExitCode::bad_file, "this is no netCDF classic file");
+    for (const char* bytes : {"", "CD", "CDF\3", "CDF\6 and so on", "\x89HDF\r\n\x1a\n"}) {
+        expect_error(folder_.write("bytes.nc", bytes), ExitCode::bad_file, "this is no netCDF classic file");
+    }
+}
+
+TEST_F(ForeignResults, HoldWhatTheirHeaderTells) {
+    constexpr std::size_t records = 4, dimension_count = 12;  // where they stand
+    for (const std::uint32_t count : {4u, 1000u, 300'000'000u, 0x7fffffffu, 0xffffffffu}) {
+        expect_error(with_number(records, count), ExitCode::bad_file, "more than the file of");
+    }
+    for (const std::uint32_t count : {0x7fffffffu, 0xffffffffu}) {
+        expect_error(with_number(dimension_count, count), ExitCode::bad_file, "header is damaged");
+    }
+    EXPECT_EQ(read_result(with_number(records, 3)).values[0].size(), 3u);
+    EXPECT_EQ(read_result(with_number(records, 2)).values[0].size(), 2u);
+}
+
+TEST_F(ForeignResults, MayBeCutOrDamagedAnywhere) {
+    const std::string whole = read_file(write(3, {{scene_attribute, scene("false")}}));
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        for (const int damage : {-1, 0x01, 0x80, 0xff}) {
+            std::string bytes = damage < 0 ? whole.substr(0, i) : whole;
+            if (damage >= 0) bytes[i] = static_cast<char>(bytes[i] ^ damage);
+            const std::string path = folder_.write("damaged.nc", bytes);
+            try {
+                EXPECT_LE(read_result(path).values[0].size(), 3u) << i;
+            } catch (const Error& error) {
+                EXPECT_THAT(error.what(), testing::HasSubstr("damaged.nc")) << i;
+            }
+        }
+    }
+}
+
+TEST_F(ForeignResults, OfARoadHoldItsTiles) {
+    const std::string path = write(2, {{scene_attribute, scene("true")}});
+    write_tiles(tiles_beside(path), {{0, 0, std::vector<float>(65 * 65)}});
+    std::string bytes = read_file(tiles_beside(path));
+    bytes[bytes.find("tile") + 4] = 0x7f;  // the dimension's length stands behind its name
+    folder_.write("results.road", bytes);
+    expect_error(path, ExitCode::bad_file, "header asks for more than the file holds");
+}
+
+TEST_F(ForeignResults, HaveAShallowSceneWithARoadThatIsOneOrNot) {
+    std::string text = scene("false");
+    text.insert(1, "\"x\": " + std::string(100'000, '[') + std::string(100'000, ']') + ", ");
+    expect_error(write(2, {{scene_attribute, text}}), ExitCode::bad_file, "nested 64 deep at most");
+    for (const char* uneven : {"\"x\"", "1", "null", "[]"}) {
+        expect_error(write(2, {{scene_attribute, scene(uneven)}}), ExitCode::bad_file, "'uneven'");
+    }
 }
 
 }  // namespace

@@ -165,7 +165,7 @@ TEST_P(Results, NeedAFolderThatExists) {
     expect_error([&] { open_results(GetParam(), folder / "nonesuch/results"); }, ExitCode::input_output,
                  {folder / "nonesuch/results: cannot open for writing: No such file or directory"});
     expect_error([&] { open_results(GetParam(), folder / "."); }, ExitCode::input_output,
-                 {folder / ".: cannot open for writing: "});
+                 {folder / ".: cannot write: Is a directory"});
 }
 
 // A file that may not grow beyond some size is a disk that fills up during the run.
@@ -211,8 +211,16 @@ TEST(Csv, QuotesHeadingsThatNeedIt) {
 }
 
 TEST(Csv, SaysWhenTheDiskIsFull) {
-    expect_error([] { open_csv("/dev/full", columns); }, ExitCode::input_output,
-                 {"/dev/full: cannot write the headings: No space left on device"});
+    const TemporaryFolder folder;
+    const auto previous = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit small{10, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    expect_error([&] { open_csv(folder / "r.csv", columns); }, ExitCode::input_output,
+                 {folder / "r.csv: cannot write the headings: File too large"});
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, previous);
 }
 
 TEST(Csv, NamesTheFirstRowThatWasLost) {
@@ -250,8 +258,16 @@ TEST(Netcdf, LeavesAloneWhatIsNoRegularFile) {
     const TemporaryFolder folder;
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
     expect_error([&] { open_netcdf(folder / "pipe", columns, ""); }, ExitCode::input_output,
-                 {folder / "pipe: cannot open for writing: not a regular file"});
+                 {folder / "pipe: cannot write: is a pipe, expected a regular file"});
     EXPECT_TRUE(std::filesystem::is_fifo(folder / "pipe"));
+}
+
+TEST_P(Results, AreNotWrittenThroughALink) {
+    folder.write("victim", "precious");
+    std::filesystem::create_symlink("victim", folder / "link");
+    expect_error([&] { open_results(GetParam(), folder / "link"); }, ExitCode::input_output,
+                 {folder / "link: cannot write: is a link, expected a regular file"});
+    EXPECT_EQ(read_file(folder / "victim"), "precious");
 }
 
 TEST(Netcdf, RefusesANameTheFormatCannotHold) {

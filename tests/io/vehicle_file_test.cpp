@@ -96,7 +96,7 @@ TEST(ShippedCar, RearLeftIsThatOfTheDataSheet) {
     EXPECT_EQ(corner.drive_share, 0.5);
 }
 
-TEST(ShippedCar, TireHasThePublishedCorneringStiffness) {
+TEST(ShippedCar, TireHasTheCorneringStiffnessOfItsSource) {
     const auto tire = std::get<LinearTireDescription>(paper_car().corners[0].tire);
     const auto newton_per_degree = [&](double load) {
         const double x = load / tire.cornering_load;
@@ -124,7 +124,7 @@ TEST(MirroredCorner, IsTheLeftOneSeenInAMirror) {
     const TemporaryFolder folder;
     const std::string text = changed(changed(shipped_car_text(), "inertia_kg_m2 = [0.90, 0.38, 0.62]",
                                              "inertia_kg_m2 = [0.90, 0.38, 0.62]\nproducts_kg_m2 = [0.01, 0.02, 0.03]"),
-                                     "rack_axis = [0.0, 1.0, 0.0]", "rack_axis = [0.0, 3.0, 4.0]");
+                                     "rack_axis = [0.0, 1.0, 0.0]", "rack_axis = [0.0, 0.6, 0.8]");
     const auto car = read_vehicle(folder.write("car.toml", text));
     const CornerDescription &left = car.corners[0], &right = car.corners[1];
     const auto& strut = std::get<MacPhersonDescription>(right.suspension);

@@ -112,6 +112,21 @@ const std::vector<BadInput> bad_vehicles{
      "rack_axis = [0, 0, 0]",
      "[0, 0, 0]",
      {"'axle[front].hardpoints.rack_axis' = [0, 0, 0]", "direction"}},
+    {"RackAxisTakenForARatio",
+     "rack_axis = [0.0, 1.0, 0.0]",
+     "rack_axis = [0, 0.1, 0]",
+     "[0, 0.1, 0]",
+     {"'axle[front].hardpoints.rack_axis' = [0, 0.1, 0]", "a unit vector", "no ratio (here its length is 0.1)"}},
+    {"CamberOfAWheelThatLies",
+     "camber_deg = -0.69",
+     "camber_deg = -45",
+     "-45",
+     {"'axle[front].wheel.camber_deg' = -45: expected a number from -20 to 20 [deg]"}},
+    {"RollingRadiusOfAnotherTireThanTheVehicleSays",
+     "[tire.road]",
+     "[tire.road]\nrolling_radius_m = 0.1",
+     "0.1",
+     {"key 'tire.road.rolling_radius_m' = 0.1", "between half the unloaded one and twice it"}},
     {"PointsCoincide",
      "slide_point_m = [-0.0240, 0.6013, 0.2800]",
      "slide_point_m = [-0.1051, 0.4962, 0.7950]",
@@ -182,6 +197,21 @@ const std::vector<BadInput> bad_vehicles{
 
 INSTANTIATE_TEST_SUITE_P(EveryMistake, BadVehicleFile, testing::ValuesIn(bad_vehicles),
                          [](const auto& test) { return test.param.name; });
+
+// The wheel's spin inertia lies about its axis: tilted, it asks for another inertia of the carrier, and the tilt may be the mistake.
+TEST(BadInertia, OfATiltedWheelNamesTheTiltToo) {
+    const std::string inertia = changed(shipped_car_text(), "[0.90, 0.38, 0.62]", "[0.62, 0.66, 0.90]");
+    const TemporaryFolder folder;
+    EXPECT_NO_THROW(read_vehicle(folder.write("upright.toml", inertia)));
+    try {
+        read_vehicle(folder.write("tilted.toml", changed(inertia, "camber_deg = -0.69", "camber_deg = -19")));
+        ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("axle[front].carrier.inertia_kg_m2'"));
+        EXPECT_THAT(error.what(), testing::HasSubstr("with camber_deg and toe_in_deg (or spin_axis)"));
+        EXPECT_THAT(error.what(), testing::HasSubstr("tilted by 19"));
+    }
+}
 
 }  // namespace
 }  // namespace hamilcar::io

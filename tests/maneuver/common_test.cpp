@@ -32,5 +32,23 @@ TEST(Footprint, EndsWithTheLastTrailersWheels) {
     EXPECT_EQ(rear_end(car), footprint(car).rear);
 }
 
+// A sum over many drives would hide a bad one among them.
+TEST(Outcome, JudgesTheEnergyAccountOfEachDriveByItself) {
+    Trial good, doubtful, broken;
+    good.energy = {.supplied = 0, .stored = -1e6, .dissipated = 1e6, .turnover = 1e6};
+    doubtful.energy = {.supplied = 0, .stored = -1e4, .dissipated = 0.98e4, .turnover = 1e4};
+    broken.stopped = Stopped::numerical, broken.trouble = "front_left came apart";
+    Outcome outcome;
+    EXPECT_TRUE(add_search_trial(outcome, good));
+    EXPECT_TRUE(outcome.notes.empty());
+    for (int i = 0; i < 2; ++i) EXPECT_TRUE(add_search_trial(outcome, doubtful));
+    ASSERT_EQ(outcome.notes.size(), 1u) << "told once";
+    EXPECT_NE(outcome.notes[0].find("more than 1 percent"), std::string::npos);
+    EXPECT_FALSE(outcome.failed);
+    EXPECT_FALSE(add_search_trial(outcome, broken));
+    EXPECT_EQ(outcome.failed, "front_left came apart");
+    EXPECT_EQ(outcome.stopped, Stopped::numerical);
+}
+
 }  // namespace
 }  // namespace hamilcar

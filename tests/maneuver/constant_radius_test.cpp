@@ -41,6 +41,35 @@ TEST(ConstantRadius, EndsWhereTheRoadIsTooSlippery) {
     EXPECT_FALSE(outcome.passed());
 }
 
+// On a road so slippery that the limit comes soon.
+TEST(ConstantRadius, FindsTheSameLimitAndGradientWhateverTheStep) {
+    const VehicleDescription car = test::shipped_car();
+    const auto with = [&](double step) {
+        return test::driven(constant_radius(), car,
+                            {{"largest_lateral_acceleration", 8}, {"small_lateral_acceleration", 1.5}, {"step", step}},
+                            0.4);
+    };
+    const Outcome coarse = with(0.5), fine = with(0.3);
+    const std::string limit = "largest lateral acceleration", gradient = "understeer gradient";
+    EXPECT_NEAR(test::figure(coarse, limit), test::figure(fine, limit), 0.02);
+    EXPECT_NEAR(test::figure(coarse, gradient), test::figure(fine, gradient), 1e-9);
+    for (const Outcome* outcome : {&coarse, &fine}) {  // it was steady there, and so it is in the diagram nearly
+        const double highest = test::curve(*outcome, "roll angle").x.back();
+        EXPECT_NEAR(test::figure(*outcome, limit), highest, 0.6);
+    }
+}
+
+// One that is told to stop early has shown nothing about the circle further on.
+TEST(ConstantRadius, GivesNoVerdictAboutWhatWasNotReached) {
+    const VehicleDescription car = test::shipped_car();
+    Settings chosen = small;
+    chosen["largest_lateral_acceleration"] = 8;
+    const Outcome outcome = test::driven(constant_radius(), car, chosen, 0.2);
+    ASSERT_EQ(outcome.verdicts.size(), 1u);
+    EXPECT_FALSE(outcome.verdicts[0].passed);
+    EXPECT_NE(outcome.verdicts[0].found.find("not reached"), std::string::npos) << outcome.verdicts[0].found;
+}
+
 TEST(ConstantRadius, MindsItsSettings) {
     test::expect_settings_checked(constant_radius(), "radius", 1);
     test::expect_obstacles(constant_radius());

@@ -1,4 +1,5 @@
 // The frequency response of ISO 7401 against that of the exact linearization.
+#include "hamilcar/maneuver/steering_gain.hpp"
 #include "lateral_tests.hpp"
 
 namespace hamilcar {
@@ -49,6 +50,28 @@ TEST(RandomSteer, MindsItsSettings) {
     test::expect_settings_checked(random_steer(), "duration", 1);
     test::expect_obstacles(random_steer());
     test::expect_interruptible(random_steer(), {});
+}
+
+// There is no steady gain in such a drive: what it is compared with is said by the line that stands for it.
+TEST(RandomSteer, NamesTheLineThatItsGainsAreComparedWith) {
+    const SteeringGain found{.frequency = {0.2, 1, 2},
+                             .yaw_rate = {2.0, 2.01, 1.0},
+                             .lateral_acceleration = {8.0, 7.0, 6.0},
+                             .yaw_coherence = {},
+                             .lateral_coherence = {}};
+    SteadyGain compared = lowest_gain(found);
+    compared.line = 0.2;
+    Outcome outcome;
+    add_yaw_rate_gain(found, compared, {}, outcome);
+    EXPECT_EQ(test::figure(outcome, "yaw rate gain at the lowest line"), 2);
+    EXPECT_TRUE(std::isnan(test::figure(outcome, "yaw rate peak frequency"))) << "half a percent is noise";
+    for (const Figure& figure : outcome.figures) {
+        EXPECT_EQ(figure.meaning.find("steady"), std::string::npos) << figure.name;
+        EXPECT_EQ(figure.name.find("lateral"), std::string::npos) << figure.name;
+    }
+    Outcome steady;
+    add_yaw_rate_gain(found, lowest_gain(found), {}, steady);
+    EXPECT_EQ(test::figure(steady, "yaw rate peak frequency"), 1);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "hamilcar/io/error.hpp"
 #include "hamilcar/maneuver/common.hpp"
 #include "hamilcar/maneuver/straight.hpp"
 #include "support/fleet.hpp"
@@ -154,6 +155,51 @@ TEST(History, SideslipGoesAllAround) {
     }
     EXPECT_EQ(slipping(2.9, 1), 0);
     EXPECT_NEAR(slipping(3.1, 1), 1, 1e-12);
+}
+
+TEST(Trial, TellsALinkageThatCameApartFromAVehicleThatFellOver) {
+    const VehicleDescription car = test::shipped("bmw_323i");
+    ManeuverOptions coarse;
+    coarse.solver.step = 0.1;
+    const Trial apart = drive(car, driving_at(car, coarse, 20, 2));
+    EXPECT_EQ(apart.stopped, Stopped::numerical);
+    EXPECT_NE(apart.trouble.find("came apart"), std::string::npos) << apart.trouble;
+    EXPECT_TRUE(apart.breaks_off());
+    VehicleDescription tall = car;
+    tall.chassis.center_of_mass[2] += 2;
+    const Trial fallen = drive(tall, steered(tall, 20, 3, 10));
+    EXPECT_EQ(fallen.stopped, Stopped::fell_over) << fallen.trouble;
+    EXPECT_FALSE(fallen.breaks_off());
+    const Trial whole = drive(car, driving_at(car, {}, 20, 0.1));
+    EXPECT_EQ(whole.stopped, Stopped::no);
+    EXPECT_EQ(whole.trouble, "");
+}
+
+// Wheels without inertia spin up and down within a step: the drive goes on, but with numbers that no vehicle has.
+TEST(Trial, WhoseEnergyAccountIsWrongCountsAsNumericalEnd) {
+    VehicleDescription car = test::shipped("bmw_323i");
+    for (CornerDescription& corner : car.corners) corner.wheel.spin_inertia = 1e-6;
+    const Trial trial = drive(car, driving_at(car, {}, 20, 2));
+    EXPECT_EQ(trial.stopped, Stopped::numerical);
+    EXPECT_NE(trial.trouble.find("energy account is off by"), std::string::npos) << trial.trouble;
+    ManeuverOptions without;
+    without.solver.energy_balance = false;
+    const Trial unaccounted = drive(test::shipped("bmw_323i"), driving_at(car, without, 20, 0.5));
+    EXPECT_EQ(unaccounted.stopped, Stopped::no) << unaccounted.trouble;
+    EXPECT_TRUE(std::isnan(unaccounted.energy.gap()));
+}
+
+TEST(Trial, ThatNeedsMoreRackThanThereIsNamesTheVehicleAndNoKey) {
+    VehicleDescription car = test::shipped("bmw_323i");
+    car.steering.rack_travel = 0.01;
+    try {
+        drive(car, steered(car, 10, 6, 3));
+        ADD_FAILURE() << "the rack went through its stops";
+    } catch (const io::Error& error) {
+        EXPECT_EQ(error.code(), io::ExitCode::numerical);
+        EXPECT_EQ(error.key(), "");
+        EXPECT_NE(std::string(error.what()).find("more steering than"), std::string::npos) << error.what();
+    }
 }
 
 }  // namespace

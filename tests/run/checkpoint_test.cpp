@@ -4,11 +4,17 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <tuple>
+#include <utility>
 
+#include "hamilcar/io/checksum.hpp"
 #include "hamilcar/io/error.hpp"
+#include "hamilcar/run/checkpoint_fields.hpp"
 #include "support/car.hpp"
 
 namespace hamilcar {
@@ -24,6 +30,10 @@ protected:
     }
     ~Checkpoint() override { std::filesystem::remove_all(folder_); }
     std::string path(const char* name = "state") const { return (folder_ / name).string(); }
+    // No half of a file beside it.
+    bool is_alone() const {
+        return std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator()) == 1;
+    }
 
 private:
     std::filesystem::path folder_;
@@ -67,6 +77,7 @@ TEST_F(Checkpoint, GoesOnToTheSameBitsWithADriver) {
 
 TEST_F(Checkpoint, KeepsHowTheRunWent) {
     Simulation car(test::shipped_car(), driven());
+    for (int i = 0; i < 3; ++i) ASSERT_FALSE(car.advance());
     Progressed so_far;
     so_far.summary.worst_opening = 1e-9, so_far.summary.largest_kinetic_energy = 5e4;
     so_far.x = {1, 2, 3}, so_far.y = {4, 5, 6};
@@ -75,7 +86,7 @@ TEST_F(Checkpoint, KeepsHowTheRunWent) {
     EXPECT_EQ(read.summary.worst_opening, 1e-9);
     EXPECT_EQ(read.summary.largest_kinetic_energy, 5e4);
     EXPECT_EQ(read.y, so_far.y);
-    EXPECT_FALSE(std::filesystem::exists(path() + ".part"));
+    EXPECT_TRUE(is_alone());
 }
 
 std::string message_of(const std::string& path, Simulation& car, const Origin& origin = {}) {
@@ -150,6 +161,128 @@ TEST_F(Checkpoint, TakesThePlaceOfNothingElse) {
     std::ofstream(path("empty")).close();
     write_checkpoint(path("empty"), car, {});
     write_checkpoint(path("empty"), car, {});
+}
+
+// Walks the fields as the writer does, and notes where each one stands in the file.
+class Offsets {
+public:
+    struct Field {
+        std::string name;
+        std::size_t at;
+        Limits limits;
+        enum class Kind { real, whole, truth } kind;
+    };
+    explicit Offsets(std::size_t begin) : at_(begin) {}
+    void real(std::string_view name, const double&, Limits limits) { add(name, 8, limits, Field::Kind::real); }
+    template <class Whole>
+    void whole(std::string_view name, const Whole&, Limits limits) {
+        add(name, 8, limits, Field::Kind::whole);
+    }
+    void truth(std::string_view name, const bool&) { add(name, 1, {0, 1}, Field::Kind::truth); }
+    void row(std::string_view name, std::span<const double> numbers, Limits limits) {
+        for (std::size_t i = 0; i < numbers.size(); ++i) add(name, 8, limits, Field::Kind::real);
+    }
+    const std::vector<Field>& fields() const { return fields_; }
+
+private:
+    void add(std::string_view name, std::size_t size, Limits limits, Field::Kind kind) {
+        fields_.push_back({std::string(name), at_, limits, kind});
+        at_ += size;
+    }
+    std::size_t at_;
+    std::vector<Field> fields_;
+};
+
+// Checkpoints that somebody made: a right checksum, and one number otherwise.
+class ForgedCheckpoint : public Checkpoint {
+protected:
+    ForgedCheckpoint() : car_(test::shipped_car(), driven()) {
+        for (int i = 0; i < 1503; ++i) EXPECT_FALSE(car_.advance());
+        write_checkpoint(path(), car_, {{}, {1, 2}, {3, 4}});
+        std::ifstream file(path(), std::ios::binary);
+        whole_ = {std::istreambuf_iterator<char>(file), {}};
+    }
+    // With `value` at `offset`, and its sum made anew.
+    template <class Value>
+    std::string message_with(std::size_t offset, Value value) {
+        std::string bytes = whole_;
+        std::memcpy(bytes.data() + offset, &value, sizeof value);
+        const std::size_t summed = bytes.size() - sizeof(std::uint64_t);
+        io::Checksum sum;
+        sum.add(std::string_view(bytes).substr(0, summed));
+        const std::uint64_t number = sum.value();
+        std::memcpy(bytes.data() + summed, &number, sizeof number);
+        std::ofstream(path("forged"), std::ios::binary) << bytes;
+        return message_of(path("forged"), car_);
+    }
+    // Behind the heading: version, method, step, two checksums, size, order.
+    static constexpr std::size_t fields_begin = 16 + 2 * 24 + 8 + 2 * 8 + 8 + 4;
+
+    Simulation car_;
+    std::string whole_;
+};
+
+TEST_F(ForgedCheckpoint, IsRefusedWithAnyFieldBeyondItsLimits) {
+    const auto snapshot = std::make_unique<Snapshot>();
+    car_.save(*snapshot);
+    Offsets places(fields_begin);
+    visit_snapshot(std::as_const(*snapshot), SnapshotBounds(car_), places);
+    ASSERT_GT(places.fields().size(), 200u);
+    for (const Offsets::Field& field : places.fields()) {
+        const auto refused = testing::HasSubstr("damaged: " + field.name + " = ");
+        if (field.kind == Offsets::Field::Kind::truth) {
+            for (const std::uint8_t no_truth : {2, 255}) EXPECT_THAT(message_with(field.at, no_truth), refused);
+        } else if (field.kind == Offsets::Field::Kind::whole) {
+            const auto least = static_cast<std::int64_t>(field.limits.least),
+                       most = static_cast<std::int64_t>(field.limits.most);
+            for (const std::int64_t beyond :
+                 {least - 1, least - 3, most + 1, most + 1'000'000, std::numeric_limits<std::int64_t>::min(),
+                  std::numeric_limits<std::int64_t>::max()}) {
+                EXPECT_THAT(message_with(field.at, beyond), refused);
+            }
+        } else {
+            EXPECT_THAT(message_with(field.at, std::nan("")), refused);
+            for (const double beyond : {1e300, std::numeric_limits<double>::infinity()}) {
+                if (beyond <= field.limits.most) continue;
+                EXPECT_THAT(message_with(field.at, beyond), refused);
+            }
+        }
+    }
+}
+
+TEST_F(ForgedCheckpoint, IsRefusedOrHarmlessWhereverItIsForged) {
+    const Simulation before = car_;
+    int taken = 0;
+    for (std::size_t at = 0; at + 16 < whole_.size(); ++at) {
+        for (const std::uint64_t word : {0x4141414141414140u, ~std::uint64_t{3}, std::uint64_t{7}}) {
+            car_ = before;
+            if (!message_with(at, word).empty()) {
+                expect_same(before, car_);  // nothing was written
+                continue;
+            }
+            ++taken;
+            for (int i = 0; i < 10 && !car_.finished(); ++i) {
+                if (car_.advance()) break;
+            }
+        }
+    }
+    EXPECT_GT(taken, 0);
+}
+
+TEST_F(ForgedCheckpoint, HasTextsThatEnd) {
+    constexpr std::size_t version = 16, method = 16 + 24;
+    for (const std::size_t place : {version, method}) {
+        std::array<char, 24> endless, escape{"\x1b]0;owned\x07"};
+        endless.fill('A');
+        EXPECT_THAT(message_with(place, endless), HasSubstr("damaged or cut off"));
+        EXPECT_THAT(message_with(place, escape), HasSubstr("damaged or cut off"));
+    }
+}
+
+TEST_F(ForgedCheckpoint, HasAPathOfAsManyPointsEachWay) {
+    const std::size_t x_count = whole_.size() - 8 - 2 * (8 + 2 * 8);
+    EXPECT_THAT(message_with(x_count, std::uint64_t{1'000'000'000}), HasSubstr("damaged"));
+    EXPECT_THAT(message_with(x_count + 8, std::nan("")), HasSubstr("the path's x = nan"));
 }
 
 }  // namespace

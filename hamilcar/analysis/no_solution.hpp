@@ -1,0 +1,14 @@
+// What an analysis throws where there is nothing to find: a vehicle without a steady motion, a linkage that does not assemble.
+// Analyses know no files; whoever reads files tells it as a numerical failure.
+#pragma once
+
+#include <stdexcept>
+
+namespace hamilcar {
+
+class NoSolution : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace hamilcar

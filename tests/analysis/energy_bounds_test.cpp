@@ -1,0 +1,25 @@
+// What an energy account that does not close means, for runs and maneuvers alike.
+#include "hamilcar/analysis/energy_bounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace hamilcar {
+namespace {
+
+TEST(EnergyBounds, FailWhatIsATenthOff) {
+    EXPECT_EQ(judge_energy(0.9, 0), EnergyVerdict::fine);  // a vehicle that stands
+    EXPECT_EQ(judge_energy(999, 1e5), EnergyVerdict::fine);
+    EXPECT_EQ(judge_energy(-1001, 1e5), EnergyVerdict::doubtful);
+    EXPECT_EQ(judge_energy(9999, 1e5), EnergyVerdict::doubtful);
+    EXPECT_EQ(judge_energy(-10001, 1e5), EnergyVerdict::wrong);
+    const double infinite = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(judge_energy(infinite, 1e5), EnergyVerdict::wrong);
+    EXPECT_EQ(judge_energy(infinite, infinite), EnergyVerdict::wrong);
+    EXPECT_EQ(judge_energy(std::nan(""), 1e5), EnergyVerdict::fine);  // nobody kept an account
+}
+
+}  // namespace
+}  // namespace hamilcar
