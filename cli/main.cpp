@@ -187,7 +187,7 @@ int run_command(int argc, char** argv) {
 void tell(std::string message) {
     std::ranges::replace_if(
         message, [](char c) { return (c >= 0 && c < ' ' && c != '\n') || c == '\x7f'; }, '?');
-    fmt::print(stderr, "hamilcar: {}\n", message);
+    std::fputs(("hamilcar: " + message + "\n").c_str(), stderr);  // which may be full, too: nothing throws here
 }
 
 // Every way that a command can end has its exit code; that of a criterion that was not met is none of them.
@@ -204,7 +204,7 @@ int guarded(int argc, char** argv) {
         tell("out of memory");
         return static_cast<int>(ExitCode::input_output);
     } catch (const std::system_error& error) {
-        tell(error.what());
+        if (std::ferror(stdout) == 0) tell(error.what());  // else it is told once all is over
         return static_cast<int>(ExitCode::input_output);
     } catch (const std::exception& error) {
         tell(fmt::format("internal error, a fault of hamilcar's own; please report it: {}", error.what()));
@@ -216,11 +216,11 @@ int guarded(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     if (!cli::take_standard_streams()) {
-        fmt::print(stderr, "hamilcar: standard output is closed: expected a terminal, a file, a pipe or /dev/null\n");
+        tell("standard output is closed: expected a terminal, a file, a pipe or /dev/null");
         return static_cast<int>(ExitCode::input_output);
     }
     const int code = guarded(argc, argv);
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-    fmt::print(stderr, "hamilcar: cannot write to standard output: {}\n", std::strerror(errno));
+    tell(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
     return code > static_cast<int>(ExitCode::failed) ? code : static_cast<int>(ExitCode::input_output);
 }

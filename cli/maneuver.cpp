@@ -8,7 +8,6 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "commands.hpp"
 #include "hamilcar/io/json_text.hpp"
@@ -111,7 +110,7 @@ io::ExitCode drive_maneuver(const Maneuver& maneuver, const VehicleDescription& 
     check_obstacle(maneuver, vehicle);
     const std::string folder = options.output.empty() ? "out/" + maneuver.name : options.output;
     const io::FolderLock lock = take_folder(folder);
-    std::optional<InterruptWatch> watch(std::in_place);
+    const InterruptWatch watch;  // until all is written: half a film is none
     Progress progress(maneuver.name);
     ManeuverOptions driven = asked;
     bool stopped = false;
@@ -121,7 +120,6 @@ io::ExitCode drive_maneuver(const Maneuver& maneuver, const VehicleDescription& 
     };
     Outcome outcome = maneuver.drive(vehicle, settings, driven);
     progress.clear();
-    watch.reset();
     if (stopped) outcome.notes.emplace_back("interrupted: this is of a part of the maneuver");
     tell_and_write(run, outcome, stopped, folder, options);
     if (stopped) return io::ExitCode::interrupted;

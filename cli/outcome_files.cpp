@@ -43,6 +43,7 @@ void print_outcome(const ManeuverRun& run, const Outcome& outcome) {
     }
     for (const std::string& note : outcome.notes) fmt::print("  note: {}\n", note);
     const EnergyBook& energy = outcome.energy;
+    if (outcome.stopped == Stopped::numerical) return;  // told with the reason
     if (std::isnan(energy.gap())) {
         fmt::print("  energy: no account was kept\n");
     } else {

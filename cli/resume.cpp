@@ -159,6 +159,8 @@ void Keeper::look(const Simulation& simulation, const RunSummary& summary, const
 }
 
 bool Keeper::finish(const Simulation& simulation, const RunSummary& summary, const PathOnGround& path) const {
+    if (summary.ended_early)
+        return true;  // from where the mathematics gave up nobody goes on: the last checkpoint stays
     const std::string trouble = path_.empty() ? "" : try_to_write(simulation, summary, path);
     if (!trouble.empty()) fmt::print(stderr, "hamilcar: {}\n", trouble);
     return trouble.empty();

@@ -3,13 +3,13 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "commands.hpp"
 #include "hamilcar/analysis/energy_bounds.hpp"
 #include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/tir_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
+#include "hamilcar/io/whole_file.hpp"
 #include "hamilcar/run/film.hpp"
 #include "hamilcar/run/record.hpp"
 #include "hamilcar/run/scenario_checks.hpp"
@@ -95,6 +95,10 @@ RunSummary record_run(const Options& options, const FirstPart& before, const Rec
     for (std::size_t i = 0; i < before.count; ++i) {
         for (std::size_t k = 0; k < row.size(); ++k) row[k] = before.rows.values[k + 1][i];
         keep(before.rows.values[0][i], row);
+        if (interrupted()) {
+            throw io::Error(io::ExitCode::interrupted,
+                            "interrupted before the run went on; what is there stays as it was");
+        }
     }
     files.take_place();
     Progress progress(std::filesystem::path(options.file).stem().string());
@@ -122,8 +126,11 @@ io::ExitCode run_scenario(const Options& options, const ScenarioDescription& sce
     const FirstPart before = first_part(options, folder, scenario, recorded, simulation, origin);
     Keeper keeper(options, simulation, before.progressed, origin);
     const std::string report = folder + "/report.html", told = folder + "/summary.json";
-    if (options.resume.empty()) remove_files({report, told});  // of an earlier run: not this one's
-    std::optional<InterruptWatch> watch(std::in_place);
+    for (const std::string& path : {report, told, folder + "/results.nc", folder + "/results.csv"}) {
+        io::expect_writable_place(path);  // before anything of an earlier run goes
+    }
+    if (options.resume.empty()) remove_files({report, told});
+    const InterruptWatch watch;
     RunFiles files(folder, scenario, recorded,
                    options.resume.empty() ? RunFiles::Place::taken : RunFiles::Place::beside);
     Film film(scenario.name, recorded.scene, recorded.channels);
@@ -136,7 +143,6 @@ io::ExitCode run_scenario(const Options& options, const ScenarioDescription& sce
     const nlohmann::json facts = summary_json(simulation, summary, files.paths());
     write_file(told, io::json_text(facts) + "\n");
     const bool kept = keeper.finish(simulation, summary, path);
-    watch.reset();  // what matters is written
     const io::ExitCode outcome = tell(options, summary, facts, simulation.complaints());
 
     // Pictures last: if the disk takes no more of them, all that matters has been said and written.

@@ -26,8 +26,9 @@ RunFiles::RunFiles(const std::string& folder, const ScenarioDescription& scenari
       beside_(place == Place::beside) {
     const auto name = [&](const std::string& path) {
         if (!beside_) return path;
-        written_.push_back(io::create_beside(path));
-        return written_.back();
+        io::remove_left_beside(path);  // by a run that was killed; the folder is this one's
+        beside_names_.list.push_back(io::create_beside(path));
+        return beside_names_.list.back();
     };
     std::vector<io::Column> columns;
     for (const Channel& channel : recorded.channels) columns.push_back(channel.column);
@@ -46,10 +47,9 @@ RunFiles::RunFiles(const std::string& folder, const ScenarioDescription& scenari
     }
 }
 
-RunFiles::~RunFiles() {
-    if (!beside_) return;
-    std::error_code nothing_there;
-    for (const std::string& path : written_) std::filesystem::remove(path, nothing_there);
+RunFiles::NamesBeside::~NamesBeside() {
+    std::error_code nothing_there;  // once moved to their places
+    for (const std::string& path : list) std::filesystem::remove(path, nothing_there);
 }
 
 void RunFiles::write(double time, std::span<const double> row) {

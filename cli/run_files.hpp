@@ -23,6 +23,12 @@ Recorded choose_channels(const VehicleDescription& vehicle, const ScenarioDescri
 
 // netCDF has all channels; tables for people have the chosen ones only.
 class RunFiles {
+    // Names that are not the files' own; what still has one goes away.
+    struct NamesBeside {
+        std::vector<std::string> list;
+        ~NamesBeside();
+    };
+
 public:
     enum class Place {
         taken,   // at once: what an earlier run left is gone
@@ -33,8 +39,6 @@ public:
     RunFiles(const std::string& folder, const ScenarioDescription& scenario, const Recorded& recorded, Place place);
     RunFiles(const RunFiles&) = delete;
     RunFiles& operator=(const RunFiles&) = delete;
-    ~RunFiles();  // files that took no place go away
-
     void write(double time, std::span<const double> row);
     void flush();
     void take_place();
@@ -46,12 +50,12 @@ public:
     const std::vector<std::string>& paths() const { return paths_; }
 
 private:
+    NamesBeside beside_names_;  // first: the files are closed before
     std::size_t chosen_;
     std::unique_ptr<io::ResultWriter> netcdf_, csv_;
     std::string netcdf_path_, csv_path_;
     std::vector<std::string> paths_;
     bool beside_;
-    std::vector<std::string> written_;  // names that are not the files' own
     long rows_ = 0;
 };
 

@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <vector>
@@ -35,6 +37,7 @@ public:
         : path_(path), size_(size), file_(path, std::ios::binary) {}
 
     void check() {
+        if (!file_) throw Error(ExitCode::input_output, path_ + ": cannot read: " + std::strerror(errno));
         std::array<char, 4> magic{};
         file_.read(magic.data(), magic.size());
         const bool classic = file_ && std::string_view(magic.data(), 3) == "CDF";
@@ -44,12 +47,10 @@ public:
         read_dimensions();
         skip_attributes();
         read_variables();
-        const double held =
-            static_cast<double>(fixed_) + static_cast<double>(records_) * static_cast<double>(record_size_);
-        const double end =
-            records_ > 0 && record_size_ > 0
-                ? static_cast<double>(first_record_) + static_cast<double>(records_) * static_cast<double>(record_size_)
-                : 0.0;
+        const double record = static_cast<double>(record_size_);
+        const double held = static_cast<double>(fixed_) + static_cast<double>(records_) * record;
+        const double behind_first = records_ > 0 ? static_cast<double>(records_ - 1) * record : 0;
+        const double end = static_cast<double>(end_of_first_record_) + behind_first;
         if (std::max({held, end, static_cast<double>(end_of_fixed_)}) > static_cast<double>(size_ + padding)) {
             fail(
                 fmt::format("its header tells of {} records, more than the file of {} bytes holds: it is cut off or "
@@ -111,7 +112,6 @@ private:
     }
 
     void read_variables() {
-        first_record_ = size_;
         for (std::uint64_t left = length(variable_tag); left > 0; --left) {
             skip(count());
             bool over_records = false;
@@ -143,7 +143,7 @@ private:
         if (over_records) {
             // Records of one variable alone stand without padding between them.
             record_size_ = record_size_ == 0 ? bytes : (record_size_ + padding) / 4 * 4 + padded;
-            first_record_ = std::min(first_record_, begin);
+            end_of_first_record_ = std::max(end_of_first_record_, begin + bytes);
         } else {
             fixed_ += padded, end_of_fixed_ = std::max(end_of_fixed_, begin + bytes);
         }
@@ -155,7 +155,7 @@ private:
     bool wide_offsets_ = false, wide_counts_ = false;
     std::vector<std::uint64_t> dimensions_;
     std::uint64_t records_ = 0;
-    std::uint64_t record_size_ = 0, first_record_ = 0, fixed_ = 0, end_of_fixed_ = 0;  // [byte]
+    std::uint64_t record_size_ = 0, end_of_first_record_ = 0, fixed_ = 0, end_of_fixed_ = 0;  // [byte]
 };
 
 }  // namespace

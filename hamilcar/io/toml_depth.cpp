@@ -56,6 +56,8 @@ private:
         while (at_ < text_.size()) {
             if (text_.substr(at_).starts_with(closing)) {
                 for (std::size_t i = 0; i < marks; ++i) step();
+                // Of several lines a text may end with one or two quotation marks of its own.
+                for (int own = 0; marks == 3 && own < 2 && at_ < text_.size() && text_[at_] == quote; ++own) step();
                 return;
             }
             if (marks == 1 && text_[at_] == '\n') return;

@@ -21,6 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t random_digits = 16;  // of a name that nobody can guess
+
 // A file descriptor that closes itself.
 class OpenFile {
 public:
@@ -122,6 +124,16 @@ std::string create_beside(const std::string& path) {
     if (file < 0) fail_to_write(path, errno);
     ::close(file);
     return name;
+}
+
+void remove_left_beside(const std::string& path) {
+    const std::string begin = fs::path(path).filename().string() + ".", end = ".part";
+    std::error_code unreadable;
+    for (const auto& entry : fs::directory_iterator(fs::path(path).parent_path(), unreadable)) {
+        const std::string name = entry.path().filename().string();
+        if (name.size() != begin.size() + random_digits + end.size()) continue;
+        if (name.starts_with(begin) && name.ends_with(end)) fs::remove(entry.path(), unreadable);
+    }
 }
 
 void write_whole_file(const std::string& path, std::initializer_list<std::string_view> parts) {

@@ -33,6 +33,8 @@ void write_whole_file(const std::string& path, std::initializer_list<std::string
 
 // An empty file in the folder of `path` under a name of its own, for who writes it bit by bit and moves it to `path`.
 std::string create_beside(const std::string& path);
+// Removes what such files were left of `path`, by programs that were killed. For who has the folder alone.
+void remove_left_beside(const std::string& path);
 // Throws Error(input_output) where `path` is a link, a device, a folder: anything but a regular file or nothing.
 void expect_writable_place(const std::string& path);
 

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include "hamilcar/analysis/spectrum.hpp"
 #include "hamilcar/maneuver/catalog.hpp"

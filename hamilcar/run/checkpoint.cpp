@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -130,10 +129,10 @@ public:
         const auto odd = [](char c) { return c < ' ' || c > '~'; };
         if (end == text.npos || std::ranges::any_of(text.substr(0, end), odd)) refuse_damaged();
     }
-    void take(std::string_view name, std::vector<double>& numbers, std::size_t most) {
+    void take(std::string_view name, std::vector<double>& numbers) {
         std::size_t count = 0;
         take(count);
-        if (count > most || count > rest_.size() / sizeof(double)) refuse_damaged();
+        if (count > rest_.size() / sizeof(double)) refuse_damaged();
         numbers.resize(count);
         row(name, numbers, any_finite);
     }
@@ -172,10 +171,11 @@ private:
     [[noreturn]] void refuse_damaged() const { fail("the checkpoint is damaged or cut off"); }
     void expect(std::string_view name, double value, Limits limits) const {
         if (value >= limits.least && value <= limits.most) return;
-        const std::string expected = limits.most >= any_finite.most ? "a finite number"
-                                     : limits.least == limits.most
-                                         ? fmt::format("{:g}", limits.least)
-                                         : fmt::format("{:g} to {:g}", limits.least, limits.most);
+        const bool bounded = limits.most < any_finite.most;
+        const std::string expected = bounded && limits.least == limits.most ? fmt::format("{:g}", limits.least)
+                                     : bounded           ? fmt::format("{:g} to {:g}", limits.least, limits.most)
+                                     : limits.least == 0 ? "a finite number not below zero"
+                                                         : "a finite number";
         fail(fmt::format("the checkpoint is damaged: {} = {:g}: expected {}", name, value, expected));
     }
     void read(char* to, std::size_t bytes) {
@@ -233,6 +233,22 @@ std::vector<std::string> differences(const Head& its, const Head& here) {
     return out;
 }
 
+// A run that has ended knows why, and says it with the scenario's limit.
+bool can_end_by(const EndingDescription& limits, EndingMemory::Reason reason) {
+    using Reason = EndingMemory::Reason;
+    switch (reason) {
+        case Reason::none: return true;
+        case Reason::speed_below: return limits.speed_below.has_value();
+        case Reason::speed_above: return limits.speed_above.has_value();
+        case Reason::distance: return limits.distance.has_value();
+        case Reason::station: return limits.station.has_value();
+        case Reason::path_offset: return limits.path_offset.has_value();
+        case Reason::lateral_acceleration: return limits.lateral_acceleration.has_value();
+        case Reason::roll: return limits.roll.has_value();
+    }
+    return false;
+}
+
 }  // namespace
 
 SnapshotBounds::SnapshotBounds(const Simulation& simulation)
@@ -275,12 +291,17 @@ Progressed read_checkpoint(const std::string& path, Simulation& simulation, cons
     if (!others.empty()) file.fail(fmt::format("the checkpoint is of another {}", fmt::join(others, ", ")));
     const auto snapshot = std::make_unique<Snapshot>();
     visit_snapshot(*snapshot, SnapshotBounds(simulation), file);
+    const EndingMemory::Reason reason = snapshot->driver.ending.reason;
+    if (!can_end_by(simulation.scenario().driver.ending, reason)) {
+        file.fail(
+            fmt::format("the checkpoint is damaged: driver.ending.reason = {}: expected an ending of the scenario's",
+                        static_cast<int>(reason)));
+    }
     State<double> rates;
     file.row("rates", {rates.values.data(), here.size}, any_finite);
     Progressed out;
     visit_figures(out.summary, file);
-    const auto most_rows = static_cast<std::size_t>(snapshot->step_count) + 1;
-    file.take("the path's x", out.x, most_rows), file.take("the path's y", out.y, most_rows);
+    file.take("the path's x", out.x), file.take("the path's y", out.y);
     if (out.x.size() != out.y.size()) file.fail("the checkpoint is damaged: its path has more x than y, or fewer");
     file.finish();
 

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <stdexcept>
 
 #include "hamilcar/analysis/kinematics.hpp"
 #include "hamilcar/analysis/tire_curves.hpp"

@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 
-#include <array>
 #include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
@@ -94,17 +93,25 @@ TEST_F(Endings, BySignalComeWithinASecondFromEveryCommand) {
         {"run", "--maneuver", "random_steer", "-o", "m"},
         {"paper", "-o", "p"},
         {"drive", "--no-browser"}};
+    int heard = 0;
     for (const auto& words : commands) {
         for (const int signal : {SIGINT, SIGTERM}) {
             const pid_t child = start(words);
             usleep(150'000);
             const bool over = waitpid(child, nullptr, WNOHANG) != 0;  // done before: nothing to see
             if (over) continue;
+            ++heard;
             kill(child, signal);
             const int code = code_within(child, std::chrono::milliseconds(words[0] == "drive" ? 3000 : 1000));
             EXPECT_EQ(code, words[0] == "drive" ? 0 : 130) << words[0];
         }
     }
+    EXPECT_GE(heard, 8);  // the long ones: the short may be over before
+}
+
+TEST_F(Endings, OnAStandardErrorThatTakesNothingKeepTheirCode) {
+    const std::string command = "'" + test::program_path() + "' check nothing.toml 2>/dev/full";
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 5);
 }
 
 TEST_F(Endings, OfARunInAFolderThatAnotherOneHolds) {

@@ -84,6 +84,10 @@ TEST_F(Program, RunsThePapersCase) {
         EXPECT_TRUE(fs::exists(folder_ / "paper" / name)) << name;
         EXPECT_GT(fs::file_size(folder_ / "paper" / name), 100u) << name;
     }
+    // What the paper does not print is said to be ours, and of the gain what the paper says.
+    EXPECT_THAT(contents(folder_ / "paper/paper.html"),
+                HasSubstr("the drive torque goes up to 600 N m, the steering wheel"));
+    EXPECT_THAT(run("paper -o paper").out, HasSubstr("comparatively small at alpha = 400"));
 }
 
 TEST_F(Program, KeepsWhatWasWrittenWhenItIsInterrupted) {

@@ -30,6 +30,12 @@ protected:
                             << more;
         return path.string();
     }
+    // Files that were begun and took no place.
+    long halves_in(const std::string& folder) const {
+        const fs::directory_iterator all(folder_ / folder);
+        return std::count_if(fs::begin(all), fs::end(all),
+                             [](const auto& entry) { return entry.path().extension() == ".part"; });
+    }
     // Ends the program by `signal` as soon as `when` comes true; its status, as waitpid gives it.
     template <class When>
     int run_until(const std::vector<std::string>& words, int signal, When&& when) const {
@@ -82,7 +88,7 @@ TEST_F(Resume, AfterAKillGivesTheSameBytes) {
     ASSERT_EQ(r.code, 0) << r.err;
     EXPECT_EQ(in("parts/results.csv"), in("whole/results.csv"));
     EXPECT_EQ(in("parts/results.nc"), in("whole/results.nc"));
-    EXPECT_FALSE(fs::exists(folder_ / "parts/results.nc.part"));
+    EXPECT_EQ(halves_in("parts"), 0);
 }
 
 TEST_F(Resume, KeepsTheFirstPartWhereTheDiskIsFull) {
@@ -93,8 +99,7 @@ TEST_F(Resume, KeepsTheFirstPartWhereTheDiskIsFull) {
     EXPECT_THAT(r.err, HasSubstr("cannot write row at t ="));
     EXPECT_EQ(in("parts/results.csv"), table);
     EXPECT_EQ(in("parts/results.nc"), binary);
-    EXPECT_FALSE(fs::exists(folder_ / "parts/results.nc.part"));
-    EXPECT_FALSE(fs::exists(folder_ / "parts/results.csv.part"));
+    EXPECT_EQ(halves_in("parts"), 0);
     EXPECT_EQ(run("run " + driven("scenario.toml", 3) + " -o parts --resume state").code, 0);
 }
 
@@ -208,6 +213,37 @@ TEST_F(Resume, AManeuverThatIsInterruptedDoesNotReplaceAWholeOne) {
     EXPECT_THAT(in("err.txt"), HasSubstr("stays that of the whole drive before"));
     EXPECT_EQ(in("drive/outcome.json"), whole);
     EXPECT_EQ(in("drive/drive.nc"), film);
+}
+
+// The row of the checkpoint's instant is due in both parts.
+TEST_F(Resume, GoesOnTwiceWithARowEveryStep) {
+    const std::string rows = "report = false\ninterval_s = 0.001\n";
+    ASSERT_EQ(run("run " + driven("s.toml", 1, rows) + " -o parts --checkpoint state").code, 0);
+    ASSERT_EQ(run("run " + driven("s.toml", 2, rows) + " -o parts --resume state --checkpoint state").code, 0);
+    const Outcome third = run("run " + driven("s.toml", 3, rows) + " -o parts --resume state");
+    ASSERT_EQ(third.code, 0) << third.err;
+    ASSERT_EQ(run("run " + driven("s.toml", 3, rows) + " -o whole").code, 0);
+    EXPECT_EQ(in("parts/results.csv"), in("whole/results.csv"));
+}
+
+TEST_F(Resume, KeepsTheCheckpointFromBeforeTheMathematicsGaveUp) {
+    const Outcome failed =
+        run("run " + driven("s.toml", 2) + " -o parts --step 0.02 --checkpoint state --checkpoint-interval 0.02");
+    ASSERT_EQ(failed.code, 4) << failed.err;
+    const Outcome again = run("run " + driven("s.toml", 2) + " -o parts --step 0.02 --resume state");
+    EXPECT_EQ(again.code, 4) << again.err;
+    EXPECT_THAT(again.err, testing::Not(HasSubstr("damaged")));
+}
+
+TEST_F(Resume, LeavesNoHalvesWhereItIsRefusedOrWasKilled) {
+    ASSERT_EQ(run("run " + driven("s.toml", 1) + " -o parts --checkpoint state").code, 0);
+    std::ofstream(folder_ / "parts/results.nc.0123456789abcdef.part") << "of a run that was killed";
+    ASSERT_EQ(run("run " + driven("s.toml", 2) + " -o parts --resume state").code, 0);
+    EXPECT_EQ(halves_in("parts"), 0);
+    fs::remove(folder_ / "parts/results.csv");
+    fs::create_symlink("s.toml", folder_ / "parts/results.csv");
+    EXPECT_EQ(run("run " + driven("s.toml", 2) + " -o parts --resume state").code, 5);
+    EXPECT_EQ(halves_in("parts"), 0);
 }
 
 TEST_F(Resume, AManeuversFiguresComeBeforeItsFilms) {

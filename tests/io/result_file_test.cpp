@@ -158,6 +158,10 @@ TEST_F(ForeignResults, HoldWhatTheirHeaderTells) {
     for (const std::uint32_t count : {4u, 1000u, 300'000'000u, 0x7fffffffu, 0xffffffffu}) {
         expect_error(with_number(records, count), ExitCode::bad_file, "more than the file of");
     }
+    const std::string path = write(3), whole = read_file(path);
+    // A column that begins far behind the end; offsets are of 64 bits, the last in the header of 'turn'.
+    const std::size_t begin = whole.rfind("turn") + 4 + 4 + 4;
+    expect_error(with_number(begin, 0x07000000u), ExitCode::bad_file, "more than the file of");
     for (const std::uint32_t count : {0x7fffffffu, 0xffffffffu}) {
         expect_error(with_number(dimension_count, count), ExitCode::bad_file, "header is damaged");
     }

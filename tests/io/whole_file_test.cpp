@@ -103,6 +103,11 @@ TEST(TomlDepth, IsLimitedBeforeAParserRecurses) {
     refuse("[" + dots + "]\n", ":1:");
     refuse("[[" + dots + "]]\n", ":1:");
     refuse("a = " + std::string(100'000, '['), ":1:");
+    for (const std::string quotes : {"\"\"\"", "'''"}) {  // texts that end with a quotation mark or two of their own
+        for (const std::size_t own : {1, 2}) {
+            refuse("x = {k = " + quotes + "a" + quotes + std::string(own, quotes[0]) + ", " + dots + " = 1}", ":1:");
+        }
+    }
     std::string tables = "a = ";
     for (int i = 0; i < 100'000; ++i) tables += "{a = ";
     refuse(tables, ":1:");

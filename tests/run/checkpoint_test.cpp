@@ -157,7 +157,7 @@ TEST_F(Checkpoint, TakesThePlaceOfNothingElse) {
     std::ofstream(path("scenario.toml")) << "name = \"precious\"\n";
     EXPECT_THROW(write_checkpoint(path("scenario.toml"), car, {}), io::Error);
     EXPECT_EQ(std::filesystem::file_size(path("scenario.toml")), 18u);
-    EXPECT_FALSE(std::filesystem::exists(path("scenario.toml.part")));
+    EXPECT_TRUE(is_alone());
     std::ofstream(path("empty")).close();
     write_checkpoint(path("empty"), car, {});
     write_checkpoint(path("empty"), car, {});
@@ -248,6 +248,32 @@ TEST_F(ForgedCheckpoint, IsRefusedWithAnyFieldBeyondItsLimits) {
             }
         }
     }
+}
+
+// What was once taken in silence, or wrote to where it pointed: a car of five gears, a scenario that nothing ends.
+TEST_F(ForgedCheckpoint, IsRefusedWithNumbersThatReachedMemory) {
+    const auto snapshot = std::make_unique<Snapshot>();
+    car_.save(*snapshot);
+    Offsets places(fields_begin);
+    visit_snapshot(std::as_const(*snapshot), SnapshotBounds(car_), places);
+    const auto forge = [&](const std::string& name, auto value) {
+        const auto field = std::ranges::find(places.fields(), name, &Offsets::Field::name);
+        EXPECT_NE(field, places.fields().end()) << name;
+        EXPECT_THAT(message_with(field->at, value), HasSubstr("damaged: " + name + " = ")) << value;
+    };
+    constexpr auto most = std::numeric_limits<std::int64_t>::max(), least = std::numeric_limits<std::int64_t>::min();
+    for (const std::int64_t wrong : {-1000L, -5L, -4L, -3L, -1L, 3L, 4L, 1'000'000L, most, least}) {
+        forge("memory.newest", wrong), forge("memory.remembered", wrong == 3 ? 2L : wrong);
+    }
+    for (const std::int64_t gear : {-1L, 0L, 7L, 100L, 1'000'000L, most, least}) {
+        forge("driver.shifting.gear", gear), forge("driver.shifting.next", gear);
+    }
+    for (const std::int64_t phase : {-1L, 4L, 77L}) forge("driver.shifting.phase", phase);
+    for (const std::int64_t reason : {-1L, 1L, 7L, 8L}) forge("driver.ending.reason", reason);
+    for (const std::int64_t count : {-1L, 1502L, 1504L, 2'000'000'000L}) {
+        EXPECT_THAT(message_with(fields_begin, count), HasSubstr("damaged: "));
+    }
+    forge("state.position", 1e300), forge("driver.path.station", 1e300), forge("memory.substep", std::nan(""));
 }
 
 TEST_F(ForgedCheckpoint, IsRefusedOrHarmlessWhereverItIsForged) {
