@@ -46,7 +46,11 @@ TEST(ConstantRadius, FindsTheSameLimitAndGradientWhateverTheStep) {
     const VehicleDescription car = test::shipped_car();
     const auto with = [&](double step) {
         return test::driven(constant_radius(), car,
-                            {{"largest_lateral_acceleration", 8}, {"small_lateral_acceleration", 1.5}, {"step", step}},
+                            {{"largest_lateral_acceleration", 8},
+                             {"small_lateral_acceleration", 1.5},
+                             {"step", step},
+                             {"radius", 40},
+                             {"rest", 3}},
                             0.4);
     };
     const Outcome coarse = with(0.5), fine = with(0.3);
@@ -63,7 +67,7 @@ TEST(ConstantRadius, FindsTheSameLimitAndGradientWhateverTheStep) {
 TEST(ConstantRadius, GivesNoVerdictAboutWhatWasNotReached) {
     const VehicleDescription car = test::shipped_car();
     Settings chosen = small;
-    chosen["largest_lateral_acceleration"] = 8;
+    chosen["largest_lateral_acceleration"] = 8, chosen["radius"] = 40, chosen["rest"] = 3;
     const Outcome outcome = test::driven(constant_radius(), car, chosen, 0.2);
     ASSERT_EQ(outcome.verdicts.size(), 1u);
     EXPECT_FALSE(outcome.verdicts[0].passed);
