@@ -56,6 +56,17 @@ protected:
         }
         return WIFEXITED(status) ? WEXITSTATUS(status) : -2;
     }
+    // Until the program catches signals, which takes it long where sanitizers look on.
+    static void wait_for_its_handler(pid_t child) {
+        const fs::path status = "/proc/" + std::to_string(child) + "/status";
+        for (int i = 0; i < 2000; ++i) {
+            const std::string text = contents(status), caught = "SigCgt:\t";
+            const std::size_t at = text.find(caught);
+            if (at == text.npos) return;
+            if (std::stoull(text.substr(at + caught.size(), 16), nullptr, 16) >> (SIGINT - 1) & 1) return;
+            usleep(5000);
+        }
+    }
     bool appears(const std::string& name) const {
         for (int i = 0; i < 2000 && !fs::exists(folder_ / name); ++i) usleep(5000);
         return fs::exists(folder_ / name);
@@ -97,13 +108,14 @@ TEST_F(Endings, BySignalComeWithinASecondFromEveryCommand) {
     for (const auto& words : commands) {
         for (const int signal : {SIGINT, SIGTERM}) {
             const pid_t child = start(words);
+            wait_for_its_handler(child);
             usleep(150'000);
             const bool over = waitpid(child, nullptr, WNOHANG) != 0;  // done before: nothing to see
             if (over) continue;
             ++heard;
             kill(child, signal);
             const int code = code_within(child, std::chrono::milliseconds(words[0] == "drive" ? 3000 : 1000));
-            EXPECT_EQ(code, words[0] == "drive" ? 0 : 130) << words[0];
+            EXPECT_TRUE(code == 130 || (code == 0 && words[0] == "drive")) << words[0] << ": " << code;
         }
     }
     EXPECT_GE(heard, 8);  // the long ones: the short may be over before
