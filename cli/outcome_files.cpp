@@ -44,11 +44,11 @@ void print_outcome(const ManeuverRun& run, const Outcome& outcome) {
     for (const std::string& note : outcome.notes) fmt::print("  note: {}\n", note);
     const EnergyBook& energy = outcome.energy;
     if (outcome.stopped == Stopped::numerical) return;  // told with the reason
-    if (std::isnan(energy.gap())) {
+    if (!energy.is_kept) {
         fmt::print("  energy: no account was kept\n");
     } else {
         fmt::print("  energy: the account closes to {:.2g} of what was turned over\n",
-                   energy.turnover > 0 ? std::abs(energy.gap()) / energy.turnover : 0);
+                   energy.turnover > 0 ? energy.error() / energy.turnover : 0);
     }
 }
 

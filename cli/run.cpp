@@ -121,14 +121,14 @@ io::ExitCode run_scenario(const Options& options, const ScenarioDescription& sce
                           Simulation& simulation) {
     const std::string folder = output_folder(options);
     const io::FolderLock lock = take_folder(folder);
-    const bool may_resume = !options.checkpoint.empty() || !options.resume.empty();
-    const Origin origin = may_resume ? origin_of(options.file, scenario.vehicle) : Origin{};
-    const FirstPart before = first_part(options, folder, scenario, recorded, simulation, origin);
-    Keeper keeper(options, simulation, before.progressed, origin);
     const std::string report = folder + "/report.html", told = folder + "/summary.json";
     for (const std::string& path : {report, told, folder + "/results.nc", folder + "/results.csv"}) {
         io::expect_writable_place(path);  // before anything of an earlier run goes
     }
+    const bool may_resume = !options.checkpoint.empty() || !options.resume.empty();
+    const Origin origin = may_resume ? origin_of(options.file, scenario.vehicle) : Origin{};
+    const FirstPart before = first_part(options, folder, scenario, recorded, simulation, origin);
+    Keeper keeper(options, simulation, before.progressed, origin);
     if (options.resume.empty()) remove_files({report, told});
     const InterruptWatch watch;
     RunFiles files(folder, scenario, recorded,

@@ -39,6 +39,7 @@ public:
     RunFiles(const std::string& folder, const ScenarioDescription& scenario, const Recorded& recorded, Place place);
     RunFiles(const RunFiles&) = delete;
     RunFiles& operator=(const RunFiles&) = delete;
+
     void write(double time, std::span<const double> row);
     void flush();
     void take_place();

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "hamilcar/analysis/energy_bounds.hpp"
+
 namespace hamilcar::cli {
 
 namespace {
@@ -15,6 +17,17 @@ nlohmann::json kept(double number) {
 // What is printed as zero with so many digits has no sign.
 double unsigned_zero(double number, int digits) {
     return std::abs(number) < 0.5 * std::pow(10, -digits) ? 0 : number;
+}
+
+// What the run is worth by its energy account.
+std::string balance_word(const RunSummary& summary) {
+    if (std::isnan(summary.worst_energy_drift)) return "not kept";
+    switch (judge_energy(summary.worst_energy_drift, summary.turnover())) {
+        case EnergyVerdict::fine: return "closed";
+        case EnergyVerdict::doubtful: return "doubtful";
+        case EnergyVerdict::wrong: return "wrong";
+    }
+    return "";
 }
 }  // namespace
 
@@ -48,7 +61,9 @@ nlohmann::json summary_json(const Simulation& simulation, const RunSummary& summ
           {"potential_J", end.energy.potential},
           {"work_J", kept(end.energy.work)},
           {"worst_balance_error_J", kept(summary.worst_energy_drift)},
-          {"largest_kinetic_J", summary.largest_kinetic_energy}}},
+          {"largest_kinetic_J", summary.largest_kinetic_energy},
+          {"turnover_J", summary.turnover()},
+          {"balance", balance_word(summary)}}},
         {"end_state", state},
         {"files", files},
         {"ended_early", summary.ended_early ? nlohmann::json(*summary.ended_early) : nlohmann::json(nullptr)},
@@ -74,6 +89,7 @@ io::Table summary_table(const nlohmann::json& facts) {
     add("largest opening of a cut joint", facts["worst_constraint_opening_m"], "m");
     add("largest kinetic energy", energy["largest_kinetic_J"], "J"), add("work", energy["work_J"], "J");
     add("largest error of the energy balance", energy["worst_balance_error_J"], "J");
+    add("energy balance", energy["balance"], "");
     if (!facts["ended_early"].is_null()) add("ended early", facts["ended_early"], "");
     if (!facts["ended_by"].is_null()) add("ended by", facts["ended_by"], "");
     for (const auto& complaint : facts["complaints"]) add("could not be done", complaint, "");

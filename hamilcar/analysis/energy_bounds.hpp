@@ -13,14 +13,23 @@ struct EnergyBounds {
     static constexpr double least = 1;        // what a vehicle at rest may be off without a word [J]
 };
 
+// What a balance is off by, of the difference found [J]: a NaN where nobody keeps an account, infinite where numbers that
+// are too large have left none.
+constexpr double account_error(double difference, bool is_kept) {
+    if (!is_kept) return std::numeric_limits<double>::quiet_NaN();
+    if (difference != difference) return std::numeric_limits<double>::infinity();
+    return difference < 0 ? -difference : difference;
+}
+
 enum class EnergyVerdict { fine, doubtful, wrong };
 
-// Of a balance that is `error` off where `turnover` was moved in all, both [J]. A NaN, where no account is kept, is fine.
+// Of an `account_error` where `turnover` was moved in all, both [J].
 constexpr EnergyVerdict judge_energy(double error, double turnover) {
-    const double size = error < 0 ? -error : error;
-    if (!(size > EnergyBounds::least)) return EnergyVerdict::fine;
-    if (size > EnergyBounds::wrong * turnover || size > std::numeric_limits<double>::max()) return EnergyVerdict::wrong;
-    return size > EnergyBounds::doubtful * turnover ? EnergyVerdict::doubtful : EnergyVerdict::fine;
+    if (!(error > EnergyBounds::least)) return EnergyVerdict::fine;
+    if (!(error <= EnergyBounds::wrong * turnover && error <= std::numeric_limits<double>::max())) {
+        return EnergyVerdict::wrong;
+    }
+    return error > EnergyBounds::doubtful * turnover ? EnergyVerdict::doubtful : EnergyVerdict::fine;
 }
 
 }  // namespace hamilcar

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hamilcar/analysis/energy_bounds.hpp"
 #include "hamilcar/analysis/handling.hpp"
 #include "hamilcar/steering/column.hpp"
 #include "hamilcar/tire/list.hpp"
@@ -140,7 +139,7 @@ double angle_for(const VehicleDescription& vehicle, double speed, double lateral
 
 bool add_search_trial(Outcome& outcome, const Trial& trial) {
     outcome.energy += trial.energy;
-    if (judge_energy(trial.energy.gap(), trial.energy.turnover) == EnergyVerdict::doubtful) {
+    if (judge_energy(trial.energy.error(), trial.energy.turnover) == EnergyVerdict::doubtful) {
         const std::string note = "the energy account of a drive is off by more than 1 percent: try a smaller step";
         if (std::ranges::find(outcome.notes, note) == outcome.notes.end()) outcome.notes.push_back(note);
     }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hamilcar/analysis/energy_bounds.hpp"
 #include "hamilcar/analysis/no_solution.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/maneuver/catalog.hpp"
@@ -17,10 +16,10 @@ namespace {
 // mathematics failed there are no figures either.
 Outcome accounted(Outcome outcome) {
     const EnergyBook& energy = outcome.energy;
-    if (outcome.stopped == Stopped::no && judge_energy(energy.gap(), energy.turnover) == EnergyVerdict::wrong) {
+    if (outcome.stopped == Stopped::no && judge_energy(energy.error(), energy.turnover) == EnergyVerdict::wrong) {
         outcome.stopped = Stopped::numerical;
         outcome.failed = fmt::format("the energy account of all drives is off by {:.2g} J of {:.2g} J turned over",
-                                     std::abs(energy.gap()), energy.turnover);
+                                     energy.error(), energy.turnover);
     }
     if (outcome.stopped != Stopped::no) outcome.verdicts.clear();
     if (outcome.stopped == Stopped::numerical) outcome.figures.clear(), outcome.charts.clear();

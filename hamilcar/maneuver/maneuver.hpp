@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "hamilcar/analysis/energy_bounds.hpp"
 #include "hamilcar/description/scenario.hpp"
 #include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/io/page.hpp"
@@ -57,6 +58,8 @@ struct EnergyBook {
     double dissipated = 0;  // in tires, brakes, dampers, air and driveline, and what the steering took [J]
     double gap() const { return supplied - stored - dissipated; }
     double turnover = 0;  // what the gap is to be compared with: energy moved in all [J]
+    bool is_kept = true;  // the solver integrated the account along
+    double error() const { return account_error(gap(), is_kept); }  // [J]
 
     EnergyBook& operator+=(const EnergyBook& other);
 };
@@ -110,7 +113,7 @@ struct Maneuver {
 
 // "speed_km_per_h": a setting's key in a scenario file.
 std::string setting_key(const Setting& setting);
-// "20 to 250 km/h", "whole, 1 to 20", "0 or 1": what can be chosen.
+// What can be chosen: "20 to 250 [km/h]", "a whole number, 1 to 20", "0 or 1".
 std::string setting_range(const Setting& setting);
 // By its name or its key; throws io::Error(bad_file), with what there is, for a name that is none.
 const Setting& setting_called(const std::string& name, const std::vector<Setting>& known, const std::string& maneuver);

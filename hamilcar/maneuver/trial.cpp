@@ -8,7 +8,6 @@
 #include <span>
 
 #include "hamilcar/analysis/acceleration.hpp"
-#include "hamilcar/analysis/energy_bounds.hpp"
 #include "hamilcar/analysis/rack_force.hpp"
 #include "hamilcar/block/road_wheels.hpp"
 #include "hamilcar/io/error.hpp"
@@ -175,7 +174,7 @@ public:
         if (powertrain.exists()) supplied_ = powertrain.supplied(s.state.values.data());
         power_ = drive_power(s), time_ = s.time;
         largest_ = std::max(largest_, s.energy.kinetic);
-        book_.supplied = supplied_;
+        book_.supplied = supplied_, book_.is_kept = s.model.energy_balance;
         book_.stored = stored - stored_;
         book_.dissipated = supplied_ - (s.energy.work - work_);
         book_.turnover = std::max({largest_, std::abs(supplied_), std::abs(book_.dissipated)});
@@ -216,19 +215,19 @@ void check_steering(const VehicleDescription& vehicle, const ScenarioDescription
 // A step too large need not end a drive: it may go on with numbers that no vehicle has.
 void judge(Trial& trial, double step) {
     const EnergyBook& book = trial.energy;
-    if (trial.breaks_off() || judge_energy(book.gap(), book.turnover) != EnergyVerdict::wrong) return;
+    if (trial.breaks_off() || judge_energy(book.error(), book.turnover) != EnergyVerdict::wrong) return;
     trial.stopped = Stopped::numerical;
     trial.trouble = fmt::format(
         "the energy account is off by {:.2g} J of {:.2g} J turned over, more than a tenth: the step of {:g} s is too "
         "large for this vehicle, or a number of it is wrong; figures of this drive would be worth nothing",
-        std::abs(book.gap()), book.turnover, step);
+        book.error(), book.turnover, step);
 }
 
 }  // namespace
 
 EnergyBook& EnergyBook::operator+=(const EnergyBook& other) {
     supplied += other.supplied, stored += other.stored, dissipated += other.dissipated;
-    turnover += other.turnover;
+    turnover += other.turnover, is_kept = is_kept && other.is_kept;
     return *this;
 }
 

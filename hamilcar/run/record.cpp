@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "hamilcar/analysis/energy_bounds.hpp"
+
 namespace hamilcar {
 
 namespace {
@@ -47,8 +49,9 @@ RunSummary record(Simulation& simulation, const std::vector<Channel>& channels, 
         summary.worst_opening = std::max(summary.worst_opening, sample.violation);
         summary.largest_kinetic_energy = std::max(summary.largest_kinetic_energy, sample.energy.kinetic);
         summary.largest_work = std::max(summary.largest_work, std::abs(sample.energy.work));  // a NaN is none
-        const double drift = std::abs(sample.energy.balance() - simulation.initial_energy_balance());
-        summary.worst_energy_drift = std::isnan(drift) ? drift : std::max(summary.worst_energy_drift, drift);
+        const double error = account_error(sample.energy.balance() - simulation.initial_energy_balance(),
+                                           simulation.model().energy_balance);
+        summary.worst_energy_drift = std::isnan(error) ? error : std::max(summary.worst_energy_drift, error);
         on_row(sample, row);
     };
     LookOut look_out;

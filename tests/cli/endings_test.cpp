@@ -204,6 +204,8 @@ TEST_F(Endings, OfARunWhoseEnergyIsWrongAreNumericalFailures) {
     EXPECT_THAT(r.err, HasSubstr("the energy balance is off by"));
     EXPECT_THAT(r.err, HasSubstr("no motion of the vehicle"));
     EXPECT_TRUE(fs::exists(folder_ / "results/results.csv"));
+    const auto told = nlohmann::json::parse(contents(folder_ / "results/summary.json"));
+    EXPECT_EQ(told["energy"]["balance"], "wrong");
 }
 
 TEST_F(Endings, OfAServerLeaveItsSocketsToNobody) {
