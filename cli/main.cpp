@@ -14,6 +14,7 @@
 #include "hamilcar/analysis/no_solution.hpp"
 #include "hamilcar/engine/library.hpp"
 #include "hamilcar/io/spelling.hpp"
+#include "hamilcar/io/table_reader.hpp"
 
 namespace {
 
@@ -80,7 +81,8 @@ private:
         maneuver->excludes(scenario);
         run.add_option("--vehicle", o_.vehicle, "vehicle file (TOML) [the scenario's; the shipped 323i]");
         run.add_option("--set", o_.settings, "a setting of the maneuver, NAME=NUMBER; may be repeated");
-        run.add_option("--step", o_.step, "of the integration [s], instead of the scenario's")->check(range(1e-6, 0.1));
+        run.add_option("--step", o_.step, "of the integration [s], instead of the scenario's")
+            ->check(range(io::time_step.least, io::time_step.most));
         auto* checkpoint =
             run.add_option("--checkpoint", o_.checkpoint, "file that the run can be resumed from, kept up to date");
         run.add_option("--checkpoint-interval", o_.checkpoint_interval, "of simulated time [s]; else at the end")

@@ -4,7 +4,6 @@
 #include "hamilcar/io/body_file.hpp"
 #include "hamilcar/io/composed_axle_file.hpp"
 #include "hamilcar/io/kind.hpp"
-#include "hamilcar/io/unit_direction.hpp"
 #include "hamilcar/suspension/list.hpp"
 
 namespace hamilcar::io {
@@ -30,7 +29,7 @@ SuspensionDescription read_macpherson(const TableReader& points) {
                                       .ball_joint = points.array<3>("ball_joint_m"),
                                       .rack_end = points.array<3>("rack_end_m"),
                                       .tie_rod_outer = points.array<3>("tie_rod_outer_m"),
-                                      .rack_axis = unit_direction(points, "rack_axis", {0, 1, 0}),
+                                      .rack_axis = points.unit_direction("rack_axis", {0, 1, 0}),
                                       .steered = points.boolean("steered", true),
                                       .arm_length = optional_length(points, "arm_length_m"),
                                       .tie_rod_length = optional_length(points, "tie_rod_length_m")};

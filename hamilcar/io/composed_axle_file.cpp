@@ -6,7 +6,6 @@
 #include "hamilcar/io/body_file.hpp"
 #include "hamilcar/io/linkage_file.hpp"
 #include "hamilcar/io/mirror.hpp"
-#include "hamilcar/io/unit_direction.hpp"
 #include "hamilcar/linkage/compose.hpp"
 #include "hamilcar/suspension/recipe.hpp"
 #include "hamilcar/tire/mirrored.hpp"
@@ -27,7 +26,7 @@ void read_keys(const TableReader& table, const std::vector<HardpointKey>& keys, 
                 table.expect(!on_trailer || !to.flag(name), key.key, "false on a trailer");
                 break;
             case HardpointKind::number: to.numbers[name] = table.number(key.key, positive, key.otherwise[0]); break;
-            case HardpointKind::direction: to.points[name] = unit_direction(table, key.key, key.otherwise); break;
+            case HardpointKind::direction: to.points[name] = table.unit_direction(key.key, key.otherwise); break;
             case HardpointKind::point:
                 // `steered` stands before the keys that only a steered axle has
                 if (key.only_steered && !to.flag("steered")) break;

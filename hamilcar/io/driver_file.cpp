@@ -16,8 +16,9 @@ namespace hamilcar::io {
 
 namespace {
 
-constexpr Range whole_gear{"whole number from -1 to 20", -1, max_gears, true, true};
-constexpr Range whole_forward_gear{"whole number from 1 to 20", 1, max_gears, true, true};
+constexpr Range whole_gear{.words = "whole number from -1 to 20", .least = -1, .most = max_gears, .is_whole = true};
+constexpr Range whole_forward_gear{
+    .words = "whole number from 1 to 20", .least = 1, .most = max_gears, .is_whole = true};
 constexpr Range preview{"number from 0.2 to 5", 0.2, 5};           // below, arms and tires leave nothing to decide [s]
 constexpr Range interval{"number from 0.001 to 0.1", 0.001, 0.1};  // [s]
 

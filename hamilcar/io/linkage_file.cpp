@@ -61,7 +61,7 @@ CutJointDescription read_cut(const TableReader& table, const LinkageDescription&
     }
     if (cut.kind != CutJoint::distance && cut.kind != CutJoint::spherical) cut.axis = table.direction("axis");
     if (table.has("drive")) {
-        cut.drive = table.direction("drive");
+        cut.drive = table.unit_direction("drive");
         table.expect(!on_trailer, "drive", "no such key on a trailer: the driver's rack does not reach it");
     }
     return cut;

@@ -29,8 +29,8 @@ ObstacleDescription read_obstacle(const TableReader& table) {
     out.ramp = table.number("ramp_m", positive, usual.ramp);
     read_breadth(table, out.right, out.left);
     out.side_ramp = table.number("side_ramp_m", positive, usual.side_ramp);
-    out.count =
-        static_cast<int>(table.number("count", {"whole number from 1 to 10000", 1, 10000, true, true}, usual.count));
+    constexpr Range whole{.words = "whole number from 1 to 10000", .least = 1, .most = 10000, .is_whole = true};
+    out.count = static_cast<int>(table.number("count", whole, usual.count));
     out.repeat_every = table.number("repeat_every_m", not_negative, usual.repeat_every);
     table.expect(out.count == 1 || out.repeat_every >= out.length, "repeat_every_m", "at least length_m");
     return out;
@@ -54,8 +54,8 @@ RandomRoadDescription read_random(const TableReader& table) {
     const RandomRoadDescription usual;
     RandomRoadDescription out;
     out.road_class = classes[table.one_of("class", classes)][0];
-    out.seed =
-        static_cast<std::uint64_t>(table.number("seed", {"whole number from 0 to 1e15", 0, 1e15, true, true}, 1));
+    constexpr Range whole{.words = "whole number from 0 to 1e15", .least = 0, .most = 1e15, .is_whole = true};
+    out.seed = static_cast<std::uint64_t>(table.number("seed", whole, 1));
     out.start = table.number("start_m", any_number, usual.start);
     out.length = table.number("length_m", not_negative, usual.length);
     out.track_width = table.number("track_width_m", positive, usual.track_width);

@@ -7,6 +7,7 @@
 
 #include "hamilcar/io/key_recorder.hpp"
 #include "hamilcar/io/key_unit.hpp"
+#include "hamilcar/io/number_text.hpp"
 #include "hamilcar/io/spelling.hpp"
 
 namespace hamilcar::io {
@@ -188,6 +189,22 @@ std::array<double, 3> TableReader::direction(std::string_view key) const {
 std::array<double, 3> TableReader::direction(std::string_view key, const std::array<double, 3>& otherwise) const {
     if (recorder_) return array<3>(key, otherwise);
     return has(key) ? direction(key) : otherwise;
+}
+
+std::array<double, 3> TableReader::unit_direction(std::string_view key) const {
+    constexpr double off = 0.01;  // what typing with two digits leaves
+    const std::array<double, 3> v = direction(key);
+    if (recorder_) return v;
+    const std::array<double, 3> written = array<3>(key);
+    const double length = std::hypot(written[0], written[1], written[2]);
+    expect(std::abs(length - 1) <= off, key,
+           "a unit vector, since it is a direction and no ratio (here its length is " + number_text(length) + ")");
+    return v;
+}
+
+std::array<double, 3> TableReader::unit_direction(std::string_view key, const std::array<double, 3>& otherwise) const {
+    if (recorder_) return array<3>(key, otherwise);
+    return has(key) ? unit_direction(key) : otherwise;
 }
 
 std::vector<double> TableReader::numbers(std::string_view key, const Range& range) const {

@@ -39,8 +39,6 @@ inline constexpr Range positive{"positive number", 0, std::numeric_limits<double
 inline constexpr Range not_negative{"number not below zero", 0};
 inline constexpr Range fraction{"number from 0 to 1", 0, 1};
 inline constexpr Range time_step{"number from 1e-6 to 0.1", 1e-6, 0.1};  // of an integration [s]
-// What nobody drives on, and still far from where arithmetic suffers.
-inline constexpr double farthest_place = 1e7;  // from the origin [m]
 
 struct Samples {
     std::vector<double> argument, value;
@@ -86,8 +84,11 @@ public:
         fill_if_there(key, values);
         return values;
     }
-    std::array<double, 3> direction(std::string_view key) const;  // unit
+    std::array<double, 3> direction(std::string_view key) const;  // of any length; made a unit vector
     std::array<double, 3> direction(std::string_view key, const std::array<double, 3>& otherwise) const;
+    // Where somebody might take the length for a ratio, as of a rack: expected to be one, within 1 percent.
+    std::array<double, 3> unit_direction(std::string_view key) const;
+    std::array<double, 3> unit_direction(std::string_view key, const std::array<double, 3>& otherwise) const;
     std::vector<double> numbers(std::string_view key, const Range& range) const;
     // Two lists of equal length, the first strictly increasing.
     Samples samples(std::string_view argument, std::string_view value, const Range& range) const;
