@@ -10,7 +10,6 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <span>
@@ -24,8 +23,6 @@
 namespace hamilcar {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::string_view heading = "hamilcar state 3";  // the number: of this layout
 constexpr std::string_view kind = heading.substr(0, heading.size() - 1);
@@ -82,6 +79,10 @@ public:
     template <class Whole>
     void whole(std::string_view, const Whole& number, Limits) {
         add(static_cast<std::int64_t>(number));
+    }
+    template <class Choice>
+    void choice(std::string_view, const Choice& one, std::span<const bool>) {
+        add(static_cast<std::int64_t>(one));
     }
     void truth(std::string_view, const bool& yes) { add(static_cast<std::uint8_t>(yes)); }
     void row(std::string_view, std::span<const double> numbers, Limits) {
@@ -149,6 +150,13 @@ public:
         expect(name, static_cast<double>(value), limits);
         number = static_cast<Whole>(value);
     }
+    template <class Choice>
+    void choice(std::string_view name, Choice& one, std::span<const bool> allowed) {
+        whole(name, one, {0, static_cast<double>(allowed.size() - 1)});
+        if (allowed[static_cast<std::size_t>(one)]) return;
+        fail(fmt::format("the checkpoint is damaged: {} = {}: expected one that the scenario has", name,
+                         static_cast<int>(one)));
+    }
     void truth(std::string_view name, bool& yes) {
         std::uint8_t value = 0;
         take(value);
@@ -188,30 +196,15 @@ private:
     std::string path_;
 };
 
-[[noreturn]] void refuse_to_write(const std::string& path, const std::string& why) {
-    throw io::Error(io::ExitCode::input_output, fmt::format("{}: cannot write the checkpoint: {}", path, why));
-}
-
 // A mistyped name must not cost a scenario. An empty file has nothing to lose.
 void check_place(const std::string& path) {
-    std::error_code unknown;
-    if (!fs::exists(path, unknown)) return;
-    if (!fs::is_regular_file(fs::symlink_status(path, unknown))) refuse_to_write(path, "not a regular file");
+    io::expect_writable_place(path);
     std::ifstream file(path, std::ios::binary);
     std::string begins(kind.size(), '\0');
     file.read(begins.data(), static_cast<std::streamsize>(begins.size()));
     if (file.gcount() == 0 || begins == kind) return;
     throw io::Error(io::ExitCode::usage,
                     path + " is there and is no checkpoint: expected a new file, or an earlier checkpoint");
-}
-
-void put_in_place(const std::string& path, const std::string& bytes) {
-    try {
-        io::write_whole_file(path, {bytes});
-    } catch (const io::Error& error) {
-        const std::string why = error.what();
-        refuse_to_write(path, why.substr(std::min(why.size(), path.size() + 2)));
-    }
 }
 
 // Rates of every number now. The same for the same vehicle, road and inputs; all parameters that matter are in them.
@@ -233,22 +226,6 @@ std::vector<std::string> differences(const Head& its, const Head& here) {
     return out;
 }
 
-// A run that has ended knows why, and says it with the scenario's limit.
-bool can_end_by(const EndingDescription& limits, EndingMemory::Reason reason) {
-    using Reason = EndingMemory::Reason;
-    switch (reason) {
-        case Reason::none: return true;
-        case Reason::speed_below: return limits.speed_below.has_value();
-        case Reason::speed_above: return limits.speed_above.has_value();
-        case Reason::distance: return limits.distance.has_value();
-        case Reason::station: return limits.station.has_value();
-        case Reason::path_offset: return limits.path_offset.has_value();
-        case Reason::lateral_acceleration: return limits.lateral_acceleration.has_value();
-        case Reason::roll: return limits.roll.has_value();
-    }
-    return false;
-}
-
 }  // namespace
 
 SnapshotBounds::SnapshotBounds(const Simulation& simulation)
@@ -258,6 +235,14 @@ SnapshotBounds::SnapshotBounds(const Simulation& simulation)
     order = std::min(method.order, max_adams_order);
     is_multi_step =
         method.family == MethodFamily::adams_bashforth || method.family == MethodFamily::adams_bashforth_moulton;
+    using Reason = EndingMemory::Reason;
+    const EndingDescription& ends = simulation.scenario().driver.ending;
+    const auto allow = [this](Reason reason, bool yes) { endings[static_cast<std::size_t>(reason)] = yes; };
+    allow(Reason::none, true), allow(Reason::speed_below, ends.speed_below.has_value());
+    allow(Reason::speed_above, ends.speed_above.has_value()), allow(Reason::distance, ends.distance.has_value());
+    allow(Reason::station, ends.station.has_value()), allow(Reason::path_offset, ends.path_offset.has_value());
+    allow(Reason::lateral_acceleration, ends.lateral_acceleration.has_value());
+    allow(Reason::roll, ends.roll.has_value());
     const auto& shifting = simulation.scenario().driver.shifting;
     const int gears = simulation.driven_car().gears;
     if (!shifting || gears == 0) return;
@@ -278,7 +263,7 @@ void write_checkpoint(const std::string& path, const Simulation& simulation, con
     file.row("rates", {rates_of(simulation).values.data(), head.size}, any_finite);
     visit_figures(progressed.summary, file);
     file.add(progressed.x), file.add(progressed.y);
-    put_in_place(path, file.take());
+    io::write_whole_file(path, {file.take()});
 }
 
 Progressed read_checkpoint(const std::string& path, Simulation& simulation, const Origin& origin) {
@@ -291,12 +276,6 @@ Progressed read_checkpoint(const std::string& path, Simulation& simulation, cons
     if (!others.empty()) file.fail(fmt::format("the checkpoint is of another {}", fmt::join(others, ", ")));
     const auto snapshot = std::make_unique<Snapshot>();
     visit_snapshot(*snapshot, SnapshotBounds(simulation), file);
-    const EndingMemory::Reason reason = snapshot->driver.ending.reason;
-    if (!can_end_by(simulation.scenario().driver.ending, reason)) {
-        file.fail(
-            fmt::format("the checkpoint is damaged: driver.ending.reason = {}: expected an ending of the scenario's",
-                        static_cast<int>(reason)));
-    }
     State<double> rates;
     file.row("rates", {rates.values.data(), here.size}, any_finite);
     Progressed out;

@@ -1,9 +1,11 @@
 // Every field of a checkpoint with the values that it may have: one list for who writes and for who reads. A visitor has
 //
-//     real(name, number, limits), whole(name, number or enumeration, limits), truth(name, yes), row(name, numbers, limits)
+//     real(name, number, limits), whole(name, number or enumeration, limits), choice(name, enumeration, which are allowed),
+//     truth(name, yes), row(name, numbers, limits)
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -33,8 +35,9 @@ struct SnapshotBounds {
     bool is_multi_step;                        // it remembers past rates
     double step;                               // [s]
     double lowest_gear = 0, highest_gear = 0;  // that a driver who has begun may have chosen
-    static constexpr double steps = 1e9;       // that a run may have
-    static constexpr double farthest = 1e9;    // from the origin, and along a path [m]
+    std::array<bool, static_cast<std::size_t>(EndingMemory::Reason::roll) + 1> endings{};  // by reason
+    static constexpr double steps = 1e9;                                                   // that a run may have
+    static constexpr double farthest = 1e9;  // from the origin, and along a path [m]
 };
 
 // Of a driver at `time` after the run's start [s].
@@ -65,7 +68,7 @@ void visit_driver(SomeMemory& d, double time, const SnapshotBounds& b, Visitor& 
     v.real("driver.shifting.clock", d.shifting.clock, any_finite);
     v.real("driver.shifting.throttle", d.shifting.throttle, any_finite);
 
-    v.whole("driver.ending.reason", d.ending.reason, {0, static_cast<double>(EndingMemory::Reason::roll)});
+    v.choice("driver.ending.reason", d.ending.reason, b.endings);
     v.real("driver.ending.reached", d.ending.reached, any_finite);
     v.real("driver.ending.time", d.ending.time, clock);
     v.truth("driver.ending.begun", d.ending.begun);
@@ -112,7 +115,8 @@ void visit_snapshot(SomeSnapshot& s, const SnapshotBounds& b, Visitor& v) {
 // How the run went so far. Where nobody kept an energy account its error is a NaN, which is no number of a file.
 template <class SomeSummary, class Visitor>
 void visit_figures(SomeSummary& summary, Visitor& v) {
-    constexpr Limits size{0, any_finite.most};
+    constexpr Limits size{0,
+                          any_number_at_all.most};  // of numbers that were too large, none is left but an infinite one
     bool kept = !std::isnan(summary.worst_energy_drift);
     v.real("worst_opening", summary.worst_opening, size);
     v.truth("energy_kept", kept);

@@ -147,7 +147,7 @@ TEST_F(Resume, TellsOfACheckpointThatCannotBeWrittenBeforeTheRun) {
     const std::string text = in("scenario.toml");
     for (const auto& [place, code, what] : std::vector<std::tuple<std::string, int, std::string>>{
              {"nowhere/state", 5, "No such file"},
-             {".", 5, "not a regular file"},
+             {".", 5, "cannot write: Is a directory"},
              {"scenario.toml", 2, "is there and is no checkpoint"}}) {
         const Outcome r = run("run " + scenario + " -o results --checkpoint " + place);
         EXPECT_EQ(r.code, code) << r.err;

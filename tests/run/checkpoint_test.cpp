@@ -178,6 +178,10 @@ public:
     void whole(std::string_view name, const Whole&, Limits limits) {
         add(name, 8, limits, Field::Kind::whole);
     }
+    template <class Choice>
+    void choice(std::string_view name, const Choice&, std::span<const bool> allowed) {
+        add(name, 8, {0, static_cast<double>(allowed.size() - 1)}, Field::Kind::whole);
+    }
     void truth(std::string_view name, const bool&) { add(name, 1, {0, 1}, Field::Kind::truth); }
     void row(std::string_view name, std::span<const double> numbers, Limits limits) {
         for (std::size_t i = 0; i < numbers.size(); ++i) add(name, 8, limits, Field::Kind::real);
