@@ -1,5 +1,5 @@
-// A short, fixed piece of work for an instruction counter: steps of one car, or of a batch, with one engine.
-// Usage: instruction_count ENGINE (one | double | single) STEPS
+// A short, fixed piece of work for an instruction counter: steps of one vehicle, or of a batch, with one engine.
+// Usage: instruction_count ENGINE (one | double | single) VEHICLE STEPS
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -11,9 +11,11 @@
 
 int main(int argc, char** argv) {
     using namespace hamilcar;
-    if (argc != 4) return std::fprintf(stderr, "usage: instruction_count ENGINE (one | double | single) STEPS\n"), 2;
-    const VehicleDescription vehicle = io::read_vehicle(HAMILCAR_SOURCE_DIR "/vehicles/bmw_323i_paper.toml");
-    const long steps = std::atol(argv[3]);
+    if (argc != 5)
+        return std::fprintf(stderr, "usage: instruction_count ENGINE (one | double | single) VEHICLE STEPS\n"), 2;
+    const VehicleDescription vehicle =
+        io::read_vehicle(std::string(HAMILCAR_SOURCE_DIR "/vehicles/") + argv[3] + ".toml");
+    const long steps = std::atol(argv[4]);
     const Engine& own = engine(argv[1]);
     if (std::strcmp(argv[2], "one") == 0) {
         EngineCar car(own, Simulation(vehicle, bend()));
@@ -25,7 +27,7 @@ int main(int argc, char** argv) {
     const auto simulations = fleet(vehicle, own.lanes(precision));
     std::vector<const Simulation*> cars;
     for (const auto& simulation : simulations) cars.push_back(simulation.get());
-    Batch batch(cars, {.threads = 1, .precision = precision, .instruction_set = argv[1]});
+    Batch batch(cars, {.threads = 1, .precision = precision, .engine = argv[1]});
     batch.advance(steps);
     std::printf("%.17g\n", batch.state(0).position()[0]);
 }

@@ -25,7 +25,7 @@ constexpr oracle::Inputs in_the_bend{.rack = 0.003, .drive_torque = 250};
 
 Contestant stepping(const Engine& own, const Simulation& start) {
     const auto car = std::make_shared<EngineCar>(own, start);
-    return {fmt::format("one car, {}", own.instruction_set), [car](long steps) { car->advance(steps); }};
+    return {fmt::format("one car, {}", own.name), [car](long steps) { car->advance(steps); }};
 }
 
 // The same as a user runs it, by the best engine: with the checks after each step and the last good state kept.
@@ -38,8 +38,8 @@ Contestant running(const Simulation& start) {
 
 // Cars of a batch on one thread; an item is one step of all.
 Contestant stepping_many(std::string_view set, Precision precision, const std::vector<const Simulation*>& cars) {
-    const auto batch = std::make_shared<Batch>(
-        cars, BatchOptions{.threads = 1, .precision = precision, .instruction_set = std::string(set)});
+    const auto batch =
+        std::make_shared<Batch>(cars, BatchOptions{.threads = 1, .precision = precision, .engine = std::string(set)});
     return {fmt::format("batch, {}, {}", set, precision == Precision::double_precision ? "double" : "single"),
             [batch](long steps) { batch->advance(steps); }};
 }
@@ -82,7 +82,7 @@ nlohmann::json race_of_steps(const VehicleDescription& vehicle) {
     }
     for (const Engine* own : engines()) {
         for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
-            contestants.push_back(stepping_many(own->instruction_set, precision, cars));
+            contestants.push_back(stepping_many(own->name, precision, cars));
             cars_of.push_back(static_cast<double>(cars.size()));
         }
     }

@@ -32,12 +32,11 @@ void one_car(const std::vector<Simulation>& simulations) {
         for (const bool balance : {false, true}) {
             std::vector<EngineCar> cars;
             for (const Simulation& simulation : simulations) {
-                cars.emplace_back(*engine, simulation).keep_energy_balance(balance);
+                cars.emplace_back(*engine, simulation, balance);
             }
             std::vector<Contestant> contestants;
             for (EngineCar& one : cars) contestants.push_back({"", [&one](long steps) { one.advance(steps); }});
-            print(engine->instruction_set, balance ? "one car, with balance" : "one car",
-                  race(contestants, turn, rounds));
+            print(engine->name, balance ? "one car, with balance" : "one car", race(contestants, turn, rounds));
         }
     }
 }
@@ -50,8 +49,7 @@ void batches(const std::vector<Simulation>& simulations) {
             for (const Simulation& simulation : simulations) {
                 all.emplace_back(
                     std::vector<const Simulation*>(2 * lanes, &simulation),
-                    BatchOptions{
-                        .threads = 1, .precision = precision, .instruction_set = std::string(engine->instruction_set)});
+                    BatchOptions{.threads = 1, .precision = precision, .engine = std::string(engine->name)});
             }
             std::vector<Contestant> contestants;
             for (Batch& batch : all) {
@@ -59,7 +57,7 @@ void batches(const std::vector<Simulation>& simulations) {
                                            batch.advance(std::max<long>(1, car_steps / static_cast<long>(2 * lanes)));
                                        }});
             }
-            print(engine->instruction_set, precision == Precision::double_precision ? "batch, double" : "batch, single",
+            print(engine->name, precision == Precision::double_precision ? "batch, double" : "batch, single",
                   race(contestants, turn, rounds));
         }
     }

@@ -31,12 +31,12 @@ nlohmann::json json_of(const OperationCount& count) {
 nlohmann::json json_of(const BenchReport& report) {
     nlohmann::json cars, batches, trials;
     for (const CarBench& car : report.cars) {
-        cars.push_back({{"instruction_set", car.instruction_set},
+        cars.push_back({{"engine", car.engine},
                         {"step_ns", 1e9 * car.step},
                         {"step_with_balance_ns", 1e9 * car.step_with_balance}});
     }
     for (const BatchBench& batch : report.batches) {
-        batches.push_back({{"instruction_set", batch.instruction_set},
+        batches.push_back({{"engine", batch.engine},
                            {"precision", name(batch.precision)},
                            {"threads", batch.threads},
                            {"lanes", batch.lanes},
@@ -60,10 +60,11 @@ nlohmann::json json_of(const BenchReport& report) {
         {"machine",
          {{"processor", report.machine.processor},
           {"threads", report.machine.threads},
-          {"instruction_sets", report.machine.instruction_sets}}},
+          {"engines", report.machine.engines}}},
         {"operations", {{"turn", json_of(report.operations_of_turn)}, {"step", json_of(report.operations_of_step)}}},
         {"one_car", cars},
         {"batch", batches},
+        {"description_to_first_step_ms", 1e3 * report.ready},
         {"snapshot_save_and_restore_ns", 1e9 * report.snapshot},
         {"steadiness",
          {{"median_ns", 1e9 * report.steadiness.median},
@@ -81,7 +82,7 @@ void print_cars(const BenchReport& report) {
                n.multiplications, n.divisions, n.roots);
     fmt::print("  {:<12}{:>10}{:>16}{:>18}\n", "engine", "step", "with balance", "times real time");
     for (const CarBench& car : report.cars) {
-        fmt::print("  {:<12}{:>7.0f} ns{:>13.0f} ns{:>18.0f}\n", car.instruction_set, 1e9 * car.step,
+        fmt::print("  {:<12}{:>7.0f} ns{:>13.0f} ns{:>18.0f}\n", car.engine, 1e9 * car.step,
                    1e9 * car.step_with_balance, 1e-3 / car.step);
     }
 }
@@ -90,9 +91,8 @@ void print_batches(const BenchReport& report) {
     fmt::print("\nMany cars, a car in each lane\n  {:<12}{:<8}{:>6}{:>9}{:>20}{:>16}{:>10}\n", "engine", "numbers",
                "lanes", "threads", "per car and step", "share of peak", "speedup");
     for (const BatchBench& batch : report.batches) {
-        fmt::print("  {:<12}{:<8}{:>6}{:>9}{:>17.0f} ns{:>14.0f} %{:>10.2f}\n", batch.instruction_set,
-                   name(batch.precision), batch.lanes, batch.threads, 1e9 * batch.step, 100 * batch.share_of_peak,
-                   batch.speedup);
+        fmt::print("  {:<12}{:<8}{:>6}{:>9}{:>17.0f} ns{:>14.0f} %{:>10.2f}\n", batch.engine, name(batch.precision),
+                   batch.lanes, batch.threads, 1e9 * batch.step, 100 * batch.share_of_peak, batch.speedup);
     }
 }
 
@@ -113,7 +113,8 @@ void print_report(const BenchReport& report) {
     fmt::print("{} on {}, {} threads\n", report.vehicle, report.machine.processor, report.machine.threads);
     print_cars(report);
     print_batches(report);
-    fmt::print("\nSnapshot: saved and restored in {:.0f} ns\n", 1e9 * report.snapshot);
+    fmt::print("\nReady: from a vehicle's description to its first step in {:.1f} ms\n", 1e3 * report.ready);
+    fmt::print("Snapshot: saved and restored in {:.0f} ns\n", 1e9 * report.snapshot);
     const Steadiness& s = report.steadiness;
     fmt::print(
         "Steadiness: a step takes {:.0f} ns; one in 10 000 more than {:.1f} times that by its own doing, "

@@ -30,6 +30,7 @@ struct Options {
     double step = 0;                             // run: instead of the scenario's [s]
     std::string checkpoint, resume;              // run: files
     double checkpoint_interval = 0;              // run: of simulated time [s]; 0: only at the end
+    std::string c_file;                          // program: the step as C
     double speed = 0, lateral_acceleration = 0;  // equilibrium, modes [m/s], [m/s^2]
 };
 
@@ -43,6 +44,7 @@ io::ExitCode bench(const Options& options);
 io::ExitCode equilibrium(const Options& options);
 io::ExitCode kinematics(const Options& options);
 io::ExitCode modes(const Options& options);
+io::ExitCode program(const Options& options);
 io::ExitCode schema(const Options& options);
 io::ExitCode tire(const Options& options);
 io::ExitCode road(const Options& options);

@@ -12,7 +12,7 @@
 
 #include "commands.hpp"
 #include "hamilcar/analysis/no_solution.hpp"
-#include "hamilcar/engine/library.hpp"
+#include "hamilcar/engine/engines.hpp"
 #include "hamilcar/io/spelling.hpp"
 #include "hamilcar/io/table_reader.hpp"
 
@@ -150,6 +150,10 @@ private:
         road.add_option("scenario", o_.file, "scenario file (TOML)")->required();
         road.add_option("--length", o_.length, "of road, from x = 0 on [400 m]")->check(range(10.0, 20000.0));
         road.add_option("-o,--output", o_.output, "OpenCRG file (.crg) to write");
+        auto& program = add("program", cli::program, "what a vehicle's step comes to once it is recorded and compiled");
+        program.add_option("vehicle", o_.file, "vehicle file (TOML)")->required();
+        program.add_option("--c", o_.c_file, "file for the step as one C function");
+        program.add_flag("--json", o_.json, "one JSON object");
         auto& schema = add("schema", cli::schema, "print the JSON Schema of vehicle or scenario files, for editors");
         schema.add_option("kind", o_.file, "vehicle or scenario")
             ->required()
@@ -162,14 +166,30 @@ private:
     std::vector<std::pair<CLI::App*, Function>> list_;
 };
 
+std::string version() {
+    std::string names;
+    for (const hamilcar::Engine* one : hamilcar::engines())
+        names += (names.empty() ? "" : ", ") + std::string(one->name);
+    return fmt::format("hamilcar " HAMILCAR_VERSION "\nengines: {}", names);
+}
+
+void choose_engine(const std::string& name) {
+    try {
+        hamilcar::choose_default_engine(name);
+    } catch (const std::invalid_argument& unknown) {
+        throw io::Error(ExitCode::usage, std::string("--engine: ") + unknown.what());
+    }
+}
+
 int run_command(int argc, char** argv) {
     CLI::App app{
         "Hamilcar simulates wheeled vehicles with their real suspension linkages.\n"
         "Exit codes: 0 ok, 1 criterion not met, 2 usage, 3 bad file, 4 numerical failure, 5 input/output or memory, "
         "6 internal error, 130 interrupted"};
-    app.set_version_flag("--version", [] {
-        return fmt::format("hamilcar " HAMILCAR_VERSION "\nengine: {}", hamilcar::best_engine().instruction_set);
-    });
+    app.set_version_flag("--version", version);
+    std::string engine;
+    app.add_option("--engine", engine, "what runs the equations, of those that --version lists [the fastest]");
+    app.fallthrough();
     app.require_subcommand(1);
     cli::Options options;
     const Commands commands(app, options);
@@ -180,6 +200,11 @@ int run_command(int argc, char** argv) {
         const std::string mistyped = commands.mistyped(argc, argv);
         fmt::print(stderr, "hamilcar: {}\nTry 'hamilcar --help'.\n", mistyped.empty() ? error.what() : mistyped);
         return static_cast<int>(ExitCode::usage);
+    }
+    if (!engine.empty()) choose_engine(engine);
+    if (!hamilcar::refused_engines().empty()) {
+        fmt::print(stderr, "hamilcar: {}: the portable engine runs instead, some ten times slower\n",
+                   hamilcar::refused_engines());
     }
     cli::end_on_interrupt();
     return static_cast<int>(commands.run());

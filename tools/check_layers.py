@@ -10,7 +10,8 @@ import sys
 
 # Lowest first; rooms of one row do not include each other.
 LAYERS = [
-    ["description", "scalar"],
+    ["description", "program"],
+    ["scalar"],
     ["math"],
     ["linkage", "road", "integrator"],
     ["tire", "force", "driveline", "suspension", "steering"],

@@ -16,18 +16,19 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 KEPT = ROOT / "benchmarks" / "results" / "instructions.json"
-WORK = [(engine, what) for engine in ("x86-64-v2", "x86-64-v3") for what in ("one", "double", "single")]
+WORK = [(engine, what, "bmw_323i_paper") for engine in ("sse2", "avx2") for what in ("one", "double", "single")]
+WORK += [("avx2", what, vehicle) for vehicle in ("formula", "pickup", "truck_semitrailer") for what in ("one", "double")]
 FEW, MANY = 100, 600  # steps; the difference leaves out the start
 ALLOWED = 1.03
 
 
-def instructions(program, engine, what, steps):
+def instructions(program, engine, what, vehicle, steps):
     run = subprocess.run(
-        ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", program, engine, what, str(steps)],
+        ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", program, engine, what, vehicle, str(steps)],
         capture_output=True, text=True, check=False)
     counted = re.search(r"Collected : (\d+)", run.stderr)
     if run.returncode != 0 or not counted:
-        sys.exit(f"{program} {engine} {what} {steps} under valgrind failed:\n{run.stderr}")
+        sys.exit(f"{program} {engine} {what} {vehicle} {steps} under valgrind failed:\n{run.stderr}")
     return int(counted[1])
 
 
@@ -43,9 +44,9 @@ def main():
         return 2
     build = pathlib.Path(sys.argv[1])
     program = build / "benchmarks" / "instruction_count"
-    counts = {f"{engine} {what}": round((instructions(program, engine, what, MANY) -
-                                         instructions(program, engine, what, FEW)) / (MANY - FEW))
-              for engine, what in WORK}
+    counts = {f"{vehicle} {engine} {what}": round((instructions(program, engine, what, vehicle, MANY) -
+                                                   instructions(program, engine, what, vehicle, FEW)) / (MANY - FEW))
+              for engine, what, vehicle in WORK}
     found = {"compiler": compiler(build), "instructions_per_step": counts}
     if "--keep" in sys.argv:
         KEPT.write_text(json.dumps(found, indent=2) + "\n")
@@ -56,7 +57,7 @@ def main():
         before = kept["instructions_per_step"].get(name, count)
         worse = comparable and count > ALLOWED * before
         lost = lost or worse
-        print(f"{name:<20}{count:>8} instructions a step, {100 * (count / before - 1):+.1f} %{'  <-- too many' if worse else ''}")
+        print(f"{name:<34}{count:>8} instructions a step, {100 * (count / before - 1):+.1f} %{'  <-- too many' if worse else ''}")
     if not comparable:
         print(f"kept with {kept['compiler']}, counted with {found['compiler']}: not compared")
     if lost:

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
-
-#include "hamilcar/engine/library.hpp"
 
 namespace hamilcar {
 
@@ -95,6 +94,16 @@ std::string vehicle_difference(const Vehicle<double>& a, const Vehicle<double>& 
     return composed_difference(a, b);
 }
 
+std::vector<int> pivots(const Vehicle<double>& vehicle) {
+    std::vector<int> out;
+    for (const ComposedSpoke<double>& spoke : vehicle.composed) {
+        const ComposedLinkage<double>& linkage = spoke.linkage;
+        out.insert(out.end(), linkage.pivot_equation.begin(), linkage.pivot_equation.end());
+        out.insert(out.end(), linkage.pivot_dependent.begin(), linkage.pivot_dependent.end());
+    }
+    return out;
+}
+
 }  // namespace
 
 std::string topology_difference(const Simulation& a, const Simulation& b) {
@@ -111,8 +120,7 @@ Batch::Batch(const std::vector<Simulation>& cars, const BatchOptions& options) :
 
 Batch::Batch(std::vector<const Simulation*> cars, const BatchOptions& options)
     : cars_(std::move(cars)),
-      engine_(options.instruction_set.empty() ? &best_engine() : &engine(options.instruction_set)),
-      lanes_(engine_->lanes(options.precision)),
+      engine_(options.engine.empty() ? &default_engine() : &hamilcar::engine(options.engine)),
       pool_(options.threads) {
     if (cars_.empty()) throw std::invalid_argument("a batch needs at least one car");
     const SolverDescription& solver = cars_[0]->scenario().solver;
@@ -121,28 +129,44 @@ Batch::Batch(std::vector<const Simulation*> cars, const BatchOptions& options)
         throw std::invalid_argument(
             fmt::format("{} chooses steps of its own; a batch expects a method with fixed steps", method->name));
     }
-    std::vector<LaneCar> lane_cars;
     for (std::size_t i = 0; i < cars_.size(); ++i) {
         const std::string difference = topology_difference(*cars_[0], *cars_[i]);
         if (!difference.empty()) {
             throw std::invalid_argument(
-                fmt::format("car {} cannot share a pack with the first one: they differ in {}", i + 1, difference));
+                fmt::format("car {} cannot share a chunk with the first one: they differ in {}", i + 1, difference));
         }
         if (cars_[i]->steps_taken() != 0)
             throw std::invalid_argument(fmt::format("car {} is already under way", i + 1));
         attended_.push_back({cars_[i]->schedule(), cars_[i]->driver(), cars_[i]->steps_per_decision(), std::nullopt});
     }
-    for (std::size_t i = 0; i < cars_.size(); ++i) {
-        lane_cars.push_back({&cars_[i]->model(), &cars_[i]->state(), &attended_[i].schedule});
-    }
     step_ = solver.step;
     const ChunkSettings settings{.method = *method,
                                  .step = solver.step,
                                  .tilt_cosine = options.tilt_limit > 0 ? std::cos(options.tilt_limit) : -2.0};
-    for (std::size_t first = 0; first < lane_cars.size(); first += static_cast<std::size_t>(lanes_)) {
-        const std::size_t count = std::min(static_cast<std::size_t>(lanes_), lane_cars.size() - first);
-        chunks_.emplace_back(
-            engine_->make_chunk(options.precision, &lane_cars[first], static_cast<int>(count), settings));
+    seat(settings, options.precision);
+}
+
+// Cars whose linkages are eliminated in another order, since their points differ much, get a program of their own.
+void Batch::seat(const ChunkSettings& settings, Precision precision) {
+    std::map<std::vector<int>, std::vector<std::size_t>> groups;
+    for (std::size_t i = 0; i < cars_.size(); ++i) groups[pivots(cars_[i]->model().vehicle)].push_back(i);
+    const auto lanes = static_cast<std::size_t>(engine_->lanes(precision));
+    seats_.resize(cars_.size());
+    for (const auto& [order, group] : groups) {
+        std::vector<const Model<double>*> models;
+        for (const std::size_t car : group) models.push_back(&cars_[car]->model());
+        const auto program = turn_program(models, *engine_, precision);
+        for (std::size_t first = 0; first < group.size(); first += lanes) {
+            std::vector<LaneCar> row;
+            auto& own = cars_of_.emplace_back();
+            for (std::size_t i = first; i < std::min(first + lanes, group.size()); ++i) {
+                const std::size_t car = group[i];
+                seats_[car] = {chunks_.size(), static_cast<int>(i - first)};
+                row.push_back({&cars_[car]->model(), &cars_[car]->state(), &attended_[car].schedule});
+                own.push_back(car);
+            }
+            chunks_.push_back(make_chunk(program, row, settings));
+        }
     }
 }
 
@@ -153,13 +177,11 @@ void Batch::advance(long steps) {
 
 // From one decision to the next; drivers look at the step that a Simulation's would.
 void Batch::advance_chunk(std::size_t chunk, long steps) {
-    const std::size_t first = chunk * static_cast<std::size_t>(lanes_);
-    const std::size_t last = std::min(first + static_cast<std::size_t>(lanes_), cars_.size());
     long now = step_count_;
     const long end = now + steps;
     while (now < end) {
         long next = end;
-        for (std::size_t car = first; car < last; ++car) {
+        for (const std::size_t car : cars_of_[chunk]) {
             const Attended& one = attended_[car];
             if (!one.driver || one.stop) continue;
             if (now > 0 && now % one.steps_per_decision == 0) decide(car, now);

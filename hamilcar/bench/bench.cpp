@@ -1,12 +1,14 @@
 #include "hamilcar/bench/bench.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <thread>
 
 #include "hamilcar/batch/batch.hpp"
 #include "hamilcar/bench/engine_car.hpp"
+#include "hamilcar/bench/peak.hpp"
 #include "hamilcar/bench/race.hpp"
 #include "hamilcar/bench/scenes.hpp"
 
@@ -18,7 +20,7 @@ constexpr int rounds = 9;
 
 Machine this_machine() {
     Machine machine{"unknown processor", static_cast<int>(std::thread::hardware_concurrency()), {}};
-    for (const Engine* own : engines()) machine.instruction_sets.push_back(own->instruction_set);
+    for (const Engine* own : engines()) machine.engines.push_back(own->name);
     std::ifstream info("/proc/cpuinfo");
     for (std::string line; std::getline(info, line);) {
         const auto colon = line.find(": ");
@@ -33,14 +35,14 @@ Machine this_machine() {
 std::vector<CarBench> bench_cars(const Simulation& simulation, double turn) {
     std::vector<EngineCar> cars;
     for (const Engine* own : engines()) {
-        for (const bool balance : {false, true}) cars.emplace_back(*own, simulation).keep_energy_balance(balance);
+        for (const bool balance : {false, true}) cars.emplace_back(*own, simulation, balance);
     }
     std::vector<Contestant> contestants;
     for (EngineCar& car : cars) contestants.push_back({"", [&car](long steps) { car.advance(steps); }});
     const RaceResult result = race(contestants, turn, rounds);
     std::vector<CarBench> out;
     for (std::size_t i = 0; i < engines().size(); ++i) {
-        out.push_back({engines()[i]->instruction_set, result.time(2 * i), result.time(2 * i + 1)});
+        out.push_back({engines()[i]->name, result.time(2 * i), result.time(2 * i + 1)});
     }
     return out;
 }
@@ -48,7 +50,7 @@ std::vector<CarBench> bench_cars(const Simulation& simulation, double turn) {
 // All cars of a batch by one step are one item.
 std::vector<BatchBench> bench_batches(const VehicleDescription& vehicle, double operations, int threads, double turn) {
     int most_lanes = 1;
-    for (const Engine* own : engines()) most_lanes = std::max(most_lanes, own->lanes_single);
+    for (const Engine* own : engines()) most_lanes = std::max(most_lanes, own->lanes(Precision::single_precision));
     const auto simulations = fleet(vehicle, 2 * most_lanes * threads);
     std::vector<const Simulation*> cars;
     for (const auto& simulation : simulations) cars.push_back(simulation.get());
@@ -56,27 +58,38 @@ std::vector<BatchBench> bench_batches(const VehicleDescription& vehicle, double 
     std::vector<BatchBench> out;
     for (const Engine* engine : engines()) {
         for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
-            const std::string name(engine->instruction_set);
-            Batch alone(cars, {.threads = 1, .precision = precision, .instruction_set = name});
-            Batch together(cars, {.threads = threads, .precision = precision, .instruction_set = name});
+            const std::string name(engine->name);
+            Batch alone(cars, {.threads = 1, .precision = precision, .engine = name});
+            Batch together(cars, {.threads = threads, .precision = precision, .engine = name});
             const Engine& own = *engine;
-            const double per_round = own.multiply_and_add(precision, 1);
+            const double per_round = multiply_and_add(own, precision, 1);
             std::vector<Contestant> contestants{{"alone", [&](long steps) { alone.advance(steps); }},
                                                 {"together", [&](long steps) { together.advance(steps); }},
-                                                {"peak", [&](long times) { own.multiply_and_add(precision, times); }}};
+                                                {"peak", [&](long times) { multiply_and_add(own, precision, times); }}};
             const RaceResult result = race(contestants, turn, rounds);
             const double work = operations * static_cast<double>(cars.size()) / per_round;  // in rounds of the peak's
             const double speedup = result.ratio(0, 1), share = work / result.ratio(0, 2);
             const double peak = per_round / result.time(2), count = static_cast<double>(cars.size());
-            out.push_back(
-                {own.instruction_set, precision, 1, own.lanes(precision), result.time(0) / count, peak, share, 1});
+            out.push_back({own.name, precision, 1, own.lanes(precision), result.time(0) / count, peak, share, 1});
             if (threads > 1) {
-                out.push_back({own.instruction_set, precision, threads, own.lanes(precision), result.time(1) / count,
+                out.push_back({own.name, precision, threads, own.lanes(precision), result.time(1) / count,
                                peak * threads, share * speedup / threads, speedup});
             }
         }
     }
     return out;
+}
+
+// Without the programs that are kept.
+double bench_ready(const VehicleDescription& vehicle) {
+    std::vector<double> times;
+    for (int i = 0; i < rounds; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        const Simulation simulation(vehicle, bend());
+        default_engine().compile(lean_turn_trace(simulation.model()).graph, false);
+        times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    return median(std::move(times));
 }
 
 double bench_snapshot(const Simulation& simulation, double turn) {
@@ -108,6 +121,7 @@ BenchReport bench(const VehicleDescription& vehicle, double seconds,
     report.batches = bench_batches(vehicle, static_cast<double>(report.operations_of_step.total()),
                                    std::min(2, report.machine.threads), turn);
     progress("snapshots and steadiness");
+    report.ready = bench_ready(vehicle);
     report.snapshot = bench_snapshot(simulation, turn);
     report.steadiness = steadiness(simulation, static_cast<long>(seconds * 5e4));
     progress("work against precision");

@@ -8,24 +8,24 @@
 #include "hamilcar/bench/accuracy.hpp"
 #include "hamilcar/bench/operations.hpp"
 #include "hamilcar/bench/steadiness.hpp"
-#include "hamilcar/engine/library.hpp"
+#include "hamilcar/engine/engines.hpp"
 
 namespace hamilcar {
 
 struct Machine {
     std::string processor;
     int threads;
-    std::vector<std::string_view> instruction_sets;
+    std::vector<std::string_view> engines;
 };
 
 // One car by one engine; a step of the scene "bend" with its method.
 struct CarBench {
-    std::string_view instruction_set;
+    std::string_view engine;
     double step, step_with_balance;  // [s]
 };
 
 struct BatchBench {
-    std::string_view instruction_set;
+    std::string_view engine;
     Precision precision;
     int threads, lanes;
     double step;           // per car and step [s]
@@ -40,6 +40,7 @@ struct BenchReport {
     OperationCount operations_of_turn, operations_of_step;
     std::vector<CarBench> cars;
     std::vector<BatchBench> batches;
+    double ready = 0;     // from a description to a first step: assembled, settled, recorded, compiled [s]
     double snapshot = 0;  // save and restore together [s]
     Steadiness steadiness{};
     double trial_duration = 0;  // of the lane change [s]

@@ -1,7 +1,7 @@
 // One car in the hands of one engine: the bare step, without what a Simulation checks and keeps around it.
 #pragma once
 
-#include "hamilcar/engine/library.hpp"
+#include "hamilcar/engine/car_ring.hpp"
 #include "hamilcar/run/simulation.hpp"
 
 namespace hamilcar {
@@ -9,29 +9,35 @@ namespace hamilcar {
 class EngineCar {
 public:
     // Goes on from where the simulation is, with the past of a multi-step method still to be made.
-    EngineCar(const Engine& engine, const Simulation& simulation)
-        : engine_(&engine),
-          surface_(simulation.surface()),
-          model_(simulation.model()),
+    EngineCar(const Engine& engine, const Simulation& simulation, bool energy_balance)
+        : surface_(simulation.surface()),
+          program_(turn_program(with_balance(simulation.model(), energy_balance), engine)),
           schedule_(simulation.schedule()),
           state_(simulation.state()),
           step_count_(simulation.steps_taken()),
           integrator_(*find_method(simulation.scenario().solver.integrator), simulation.scenario().solver.step,
-                      model_.vehicle.state_size, simulation.scenario().solver.tolerance) {}
+                      program_->state_size, simulation.scenario().solver.tolerance) {}
+    EngineCar(const Engine& engine, const Simulation& simulation)
+        : EngineCar(engine, simulation, simulation.model().energy_balance) {}
 
     void advance(long steps) {
+        const CarRing ring(*program_, surface_.get());
         for (long i = 0; i < steps; ++i, ++step_count_) {
             const double time = static_cast<double>(step_count_) * integrator_.step();
-            engine_->advance_car(model_, integrator_, schedule_, time, state_);
+            advance_car(ring, integrator_, schedule_, time, state_);
         }
     }
     const State<double>& state() const { return state_; }
-    void keep_energy_balance(bool keep) { model_.energy_balance = keep; }
+    const TurnProgram& program() const { return *program_; }
 
 private:
-    const Engine* engine_;
+    static Model<double> with_balance(Model<double> model, bool keep) {
+        model.energy_balance = keep;
+        return model;
+    }
+
     std::shared_ptr<const Surface> surface_;  // the model's
-    Model<double> model_;
+    std::shared_ptr<const TurnProgram> program_;
     Schedule schedule_;
     State<double> state_;
     long step_count_;

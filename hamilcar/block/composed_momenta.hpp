@@ -77,9 +77,9 @@ public:
         }
     }
 
-    // `number`: of the wheel in the vehicle; `bar`: of anti-roll bars, along the wheel's travel [N]; `shaft`: torque of a
+    // `numbers`: of the wheels in the vehicle; `bar`: of anti-roll bars, along the wheel's travel [N]; `shaft`: torque of a
     // driveline [N m].
-    void add_wheel(int i, int number, const T& bar, const T& shaft_torque) {
+    void add_wheel(int i, const std::array<int, 2>& numbers, const T& bar, const T& shaft_torque) {
         const ComposedWheel<T>& wheel = spoke_.wheels[i];
         const auto state = spoke_.wheel_state(i, values_);
         ComposedWheelForces<T>& f = out_.wheels[i];
@@ -92,9 +92,9 @@ public:
         for (int k = 0; k < wheel.tires; ++k) {
             const T aside = wheel.tires == 1 ? T(0) : k == 0 ? wheel.half_spacing : T(-wheel.half_spacing);
             T torque;
-            wrench += tire_wrench<T>(wheel.tire, {ground_, {number, number}},
-                                     Vec3<T>(velocity_.center[i] + axis * aside), axis, motion, omega, turning,
-                                     state.deflection[2 * k], state.deflection[2 * k + 1], f.tires[k], torque);
+            wrench += tire_wrench<T>(wheel.tire, {ground_, numbers}, Vec3<T>(velocity_.center[i] + axis * aside), axis,
+                                     motion, omega, turning, state.deflection[2 * k], state.deflection[2 * k + 1],
+                                     f.tires[k], torque);
             f.tire_spin_torque += torque;
             work_ += lost_in_tire(f.tires[k]);
         }
@@ -182,8 +182,8 @@ private:
 };
 
 // Forces of the bars on the wheels along their travel, wheel by wheel.
-template <class T>
-void composed_bar_forces(const Vehicle<T>& vehicle, const ComposedVelocities<T>& velocity,
+template <class T, class S>
+void composed_bar_forces(const Vehicle<T>& vehicle, const ComposedVelocities<T, S>& velocity,
                          std::array<T, max_composed_wheels>& force) {
     std::array<T, max_composed_wheels> travel;
     for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
@@ -231,13 +231,28 @@ void finish_trailer(const Trailer<T>& trailer, const TrailerVelocity<T>& at, con
     tow_external += Q;
 }
 
+// Number l of those abreast: what write_composed_rates asks for.
+template <class T, class S>
+void unpack_rates(const ComposedMomenta<S>& from, int l, ComposedMomenta<T>& to) {
+    unpack(from.momentum_rate, l, to.momentum_rate);
+    unpack(from.W_rate, l, to.W_rate);
+    unpack(from.spin_momentum_rate, l, to.spin_momentum_rate);
+    unpack(from.windup_rate, l, to.windup_rate);
+    for (std::size_t i = 0; i < to.wheels.size(); ++i) {
+        for (std::size_t k = 0; k < to.wheels[i].tires.size(); ++k) {
+            const TireForce<S>& tire = from.wheels[i].tires[k].tire;
+            to.wheels[i].tires[k].tire.u_rate = lane(tire.u_rate, l);
+            to.wheels[i].tires[k].tire.v_rate = lane(tire.v_rate, l);
+        }
+    }
+}
+
 // Everything composed and trailed, driven by `shafts` if there are any; adds to the motor vehicle's external wrench and to the work.
-template <class T>
-[[gnu::noinline]] void composed_momenta(const Model<T>& model, const State<T>& state, const Input<T>& input,
-                                        const ComposedVelocities<T>& velocity, const Mat3<T>& R_GC,
-                                        const Surroundings<T>& motor_vehicle,
-                                        const std::array<T, max_composed_wheels>* shafts, ComposedMomentaOfAll<T>& out,
-                                        Spatial<T>& external, T& work_rate) {
+template <class T, class S>
+void composed_momenta(const Model<T>& model, const State<T>& state, const Input<T>& input,
+                      const ComposedVelocities<T, S>& velocity, const Mat3<T>& R_GC,
+                      const Surroundings<T>& motor_vehicle, const std::array<T, max_composed_wheels>* shafts,
+                      ComposedMomentaOfAll<T>& out, Spatial<T>& external, T& work_rate) {
     const Vehicle<T>& vehicle = model.vehicle;
     std::array<UnitPlace<T>, max_trailers + 1> places;
     places[0] = {state.position(), R_GC};
@@ -252,62 +267,69 @@ template <class T>
     std::array<T, max_composed_wheels> bars;
     composed_bar_forces(vehicle, velocity, bars);
     UnevenGround<RoadNumber<T>> uneven;
-    for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
-        const ComposedSpoke<T>& spoke = vehicle.composed[s];
-        const auto unit = static_cast<std::size_t>(spoke.unit);
-        const Surroundings<T>& world = unit == 0 ? motor_vehicle : out.trailers[unit - 1].surroundings;
-        const GroundBelow<T> ground = ground_below(model, places[unit], world.road, input.time, uneven);
-        ComposedSpokeMomenta<T> momenta(spoke, velocity.spokes[s], state.values.data(), input, world, ground,
-                                        model.energy_balance, out.spokes.emplace_back());
-        momenta.add_bodies();
-        for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
-            const int wheel = spoke.first_wheel + static_cast<int>(i);
-            momenta.add_wheel(static_cast<int>(i), vehicle.spoke_count() + wheel, bars[static_cast<std::size_t>(wheel)],
-                              shafts ? (*shafts)[static_cast<std::size_t>(wheel)] : T(0));
-        }
-        momenta.add_springs();
-        (unit == 0 ? external : out.trailers[unit - 1].external) += momenta.external();
-        work_rate += momenta.work();
-    }
+    const auto world_of = [&](int unit) -> const Surroundings<T>& {
+        return unit == 0 ? motor_vehicle : out.trailers[static_cast<std::size_t>(unit) - 1].surroundings;
+    };
+    const auto ground_of = [&](int unit) {
+        return ground_below(model, places[static_cast<std::size_t>(unit)], world_of(unit).road, input.time, uneven);
+    };
+    const auto external_of = [&](int unit) -> Spatial<T>& {
+        return unit == 0 ? external : out.trailers[static_cast<std::size_t>(unit) - 1].external;
+    };
+    const auto shaft_of = [&](std::size_t wheel) { return shafts ? (*shafts)[wheel] : T(0); };
+    vehicle.for_each_composed(
+        [&](std::size_t s) {
+            const ComposedSpoke<T>& spoke = vehicle.composed[s];
+            const GroundBelow<T> ground = ground_of(spoke.unit);
+            ComposedSpokeMomenta<T> momenta(spoke, velocity.spokes[s], state.values.data(), input, world_of(spoke.unit),
+                                            ground, model.energy_balance, out.spokes.emplace_back());
+            momenta.add_bodies();
+            for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
+                const auto wheel = static_cast<std::size_t>(spoke.first_wheel) + i;
+                const int number = vehicle.spoke_count() + static_cast<int>(wheel);
+                momenta.add_wheel(static_cast<int>(i), {number, number}, bars[wheel], shaft_of(wheel));
+            }
+            momenta.add_springs();
+            external_of(spoke.unit) += momenta.external();
+            work_rate += momenta.work();
+        },
+        [&](const auto& pair, std::size_t number) {
+            const int unit = pair.spokes.unit;
+            const auto numbers = gather_pair(pair, state.values.data());
+            const GroundBelow<T> ground = ground_of(unit);
+            const Surroundings<S> around = abreast<S>(world_of(unit));
+            const GroundBelow<S> below{around.road, ground.uneven};
+            const Input<S> inputs = abreast<S>(input);
+            ComposedMomenta<S> both;
+            ComposedSpokeMomenta<S> momenta(pair.spokes, velocity.pairs[number], numbers.data(), inputs, around, below,
+                                            model.energy_balance, both);
+            momenta.add_bodies();
+            for (std::size_t i = 0; i < pair.spokes.wheels.size(); ++i) {
+                std::array<std::size_t, 2> wheels;
+                for (std::size_t l = 0; l < 2; ++l) {
+                    const auto first = static_cast<std::size_t>(pair.first) + l;
+                    wheels[l] = static_cast<std::size_t>(vehicle.composed[first].first_wheel) + i;
+                }
+                const int corners = vehicle.spoke_count();
+                momenta.add_wheel(static_cast<int>(i),
+                                  {corners + static_cast<int>(wheels[0]), corners + static_cast<int>(wheels[1])},
+                                  S(std::array<T, 2>{bars[wheels[0]], bars[wheels[1]]}),
+                                  S(std::array<T, 2>{shaft_of(wheels[0]), shaft_of(wheels[1])}));
+            }
+            momenta.add_springs();
+            for (int l = 0; l < 2; ++l) {
+                Spatial<T> wrench;
+                unpack(momenta.external(), l, wrench);
+                external_of(unit) += wrench;
+                work_rate += lane(momenta.work(), l);
+                unpack_rates(both, l, out.spokes.emplace_back());
+            }
+        });
     for (std::size_t i = vehicle.trailers.size(); i-- > 0;) {
         const Trailer<T>& trailer = vehicle.trailers[i];
         const auto tow = static_cast<std::size_t>(trailer.tow);
         finish_trailer(trailer, velocity.trailers[i], tow == 0 ? motor_vehicle.hub : velocity.trailers[tow - 1].motion,
                        out.trailers[i], tow == 0 ? external : out.trailers[tow - 1].external, work_rate);
-    }
-}
-
-// The rates of their numbers.
-template <class T>
-[[gnu::noinline]] void write_composed_rates(const Vehicle<T>& vehicle, const ComposedVelocities<T>& velocity,
-                                            const ComposedMomentaOfAll<T>& momenta, State<T>& rate) {
-    T* values = rate.values.data();
-    for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
-        const ComposedSpoke<T>& spoke = vehicle.composed[s];
-        const ComposedMomenta<T>& from = momenta.spokes[s];
-        const auto to = spoke.state(values);
-        for (int j = 0; j < spoke.linkage.nV(); ++j) {
-            to.independent[j] = velocity.spokes[s].own.V_rate[j];
-            to.momentum[j] = from.momentum_rate[j];
-        }
-        for (int i = 0; i < spoke.linkage.nW(); ++i) to.dependent[i] = from.W_rate[i];
-        for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
-            const auto wheel = spoke.wheel_state(static_cast<int>(i), values);
-            wheel.spin_momentum = from.spin_momentum_rate[i];
-            wheel.brake_windup = from.windup_rate[i];
-            for (int k = 0; k < spoke.wheels[i].tires; ++k) {
-                wheel.deflection[2 * k] = from.wheels[i].tires[static_cast<std::size_t>(k)].tire.u_rate;
-                wheel.deflection[2 * k + 1] = from.wheels[i].tires[static_cast<std::size_t>(k)].tire.v_rate;
-            }
-        }
-    }
-    for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
-        const Trailer<T>& trailer = vehicle.trailers[i];
-        const int n = trailer.freedoms();
-        for (int j = 0; j < n; ++j) {
-            values[trailer.offset + j] = velocity.trailers[i].own.V_rate[j];
-            values[trailer.offset + n + j] = momenta.trailers[i].momentum_rate[j];
-        }
     }
 }
 

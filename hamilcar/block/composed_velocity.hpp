@@ -56,11 +56,28 @@ struct TrailerVelocity {
     TrailerVelocity() {}
 };
 
-template <class T>
+// S carries pairs; of a spoke that is one of a pair the list of all has what others ask for: `unpack`.
+template <class T, class S = T>
 struct ComposedVelocities {
     StaticVector<ComposedVelocity<T>, max_composed> spokes;
+    StaticVector<ComposedVelocity<S>, max_composed / 2> pairs;
     StaticVector<TrailerVelocity<T>, max_trailers> trailers;
 };
+
+// Number l of those abreast, place by place.
+template <class T, class S>
+void unpack(const S& from, int l, T& to) {
+    if constexpr (requires { from.size(); }) {
+        for (int i = 0; i < static_cast<int>(from.size()); ++i) unpack(from.data()[i], l, to.data()[i]);
+    } else {
+        to = lane(from, l);
+    }
+}
+
+template <class S, class T>
+RackMotion<S> abreast(const RackMotion<T>& rack) {
+    return {S(rack.displacement), S(rack.rate), S(rack.acceleration)};
+}
 
 // A force from the axes and origin of a frame to those that its pose is given in.
 template <class T>
@@ -79,7 +96,7 @@ Spatial<T> seen_from(const Pose<T>& pose, const Spatial<T>& motion) {
 template <class T>
 void condense(int n, const Matrix<T, max_freedoms, max_freedoms>& m, OwnEquation<T>& own, CondensedHub<T>& hub) {
     own.m_inverse = m;
-    invert_in_place<T, max_freedoms>(own.m_inverse, n);
+    invert_positive_definite<T, max_freedoms>(own.m_inverse, n);
     for (int i = 0; i < n; ++i) {
         Spatial<T> Cm = own.C.col(0) * own.m_inverse(0, i);
         for (int j = 1; j < n; ++j) Cm += own.C.col(j) * own.m_inverse(j, i);
@@ -98,9 +115,10 @@ void add_inertia(const SpatialInertia<T>& inertia, Matrix<T, 6, 6>& K) {
     }
 }
 
+// What it leaves its hub.
 template <class T>
-void condense_spoke(const ComposedSpoke<T>& spoke, const T* values, const RackMotion<T>& rack, const T& gain,
-                    ComposedVelocity<T>& out, CondensedHub<T>& hub, Health<T>& health) {
+CondensedHub<T> condense_spoke(const ComposedSpoke<T>& spoke, const T* values, const RackMotion<T>& rack, const T& gain,
+                               ComposedVelocity<T>& out, Health<T>& health) {
     const ComposedLinkage<T>& linkage = spoke.linkage;
     const auto state = spoke.state(values);
     const int n = linkage.nV();
@@ -137,10 +155,30 @@ void condense_spoke(const ComposedSpoke<T>& spoke, const T* values, const RackMo
         add_momentum(wheel.frame, spatial<T>(Vec3<T>::Zero(), out.spin_momentum[i]));
     }
     condense(n, m, out.own, own);
-    hub.K += own.K, hub.b += own.b;
     T violation(0);
     for (int e = 0; e < linkage.nW(); ++e) violation = max(violation, abs(out.at.Phi[e]));
-    health.include({violation, out.at.determinant * spoke.inverse_design_determinant});
+    health = {violation, out.at.determinant * spoke.inverse_design_determinant};
+    return own;
+}
+
+// Both of a pair onto their hub, one after the other.
+template <class T, class S>
+void condense_pair(const ComposedPair<S>& pair, const T* values, const RackMotion<T>& rack, const T& gain,
+                   ComposedVelocities<T, S>& out, CondensedHub<T>& hub, Health<T>& health) {
+    const auto numbers = gather_pair(pair, values);
+    Health<S> both;
+    ComposedVelocity<S>& at = out.pairs.emplace_back();
+    const CondensedHub<S> own = condense_spoke<S>(pair.spokes, numbers.data(), abreast<S>(rack), S(gain), at, both);
+    for (int l = 0; l < 2; ++l) {
+        CondensedHub<T> one;
+        unpack(own.K, l, one.K), unpack(own.b, l, one.b);
+        hub.K += one.K, hub.b += one.b;
+        health.include({lane(both.violation, l), lane(both.mobility, l)});
+        ComposedVelocity<T>& spoke = out.spokes.emplace_back();
+        unpack(at.at.closing, l, spoke.at.closing);
+        unpack(at.center, l, spoke.center);
+        unpack(at.axis, l, spoke.axis);
+    }
 }
 
 // The trailer with all that it carries, onto the unit that pulls it.
@@ -167,10 +205,9 @@ void condense_trailer(const Trailer<T>& trailer, const T* values, TrailerVelocit
 }
 
 // All of them, onto the motor vehicle's chassis.
-template <class T>
-[[gnu::noinline]] CondensedSpoke<T> condense_composed(const Model<T>& model, const State<T>& state,
-                                                      const RackMotion<T>& rack, ComposedVelocities<T>& out,
-                                                      Health<T>& health) {
+template <class T, class S>
+CondensedSpoke<T> condense_composed(const Model<T>& model, const State<T>& state, const RackMotion<T>& rack,
+                                    ComposedVelocities<T, S>& out, Health<T>& health) {
     const Vehicle<T>& vehicle = model.vehicle;
     CondensedHub<T> motor_vehicle;
     motor_vehicle.K.setZero(), motor_vehicle.b.setZero();
@@ -182,10 +219,19 @@ template <class T>
     const auto unit = [&](int i) -> CondensedHub<T>& {
         return i == 0 ? motor_vehicle : out.trailers[static_cast<std::size_t>(i) - 1].condensed;
     };
-    for (const ComposedSpoke<T>& spoke : vehicle.composed) {
-        condense_spoke(spoke, state.values.data(), rack, model.stabilization_gain, out.spokes.emplace_back(),
-                       unit(spoke.unit), health);
-    }
+    const T* values = state.values.data();
+    vehicle.for_each_composed(
+        [&](std::size_t s) {
+            const ComposedSpoke<T>& spoke = vehicle.composed[s];
+            Health<T> own_health;
+            const CondensedHub<T> own =
+                condense_spoke(spoke, values, rack, model.stabilization_gain, out.spokes.emplace_back(), own_health);
+            unit(spoke.unit).K += own.K, unit(spoke.unit).b += own.b;
+            health.include(own_health);
+        },
+        [&](const auto& pair, std::size_t) {
+            condense_pair(pair, values, rack, model.stabilization_gain, out, unit(pair.spokes.unit), health);
+        });
     for (std::size_t i = vehicle.trailers.size(); i-- > 0;) {
         condense_trailer(vehicle.trailers[i], state.values.data(), out.trailers[i], unit(vehicle.trailers[i].tow));
     }
@@ -196,14 +242,24 @@ template <class T>
 }
 
 // The motion of a unit's hub.
-template <class T>
-const Spatial<T>& unit_motion(int unit, const Spatial<T>& motor_vehicle, const ComposedVelocities<T>& velocities) {
+template <class T, class Velocities>
+const Spatial<T>& unit_motion(int unit, const Spatial<T>& motor_vehicle, const Velocities& velocities) {
     return unit == 0 ? motor_vehicle : velocities.trailers[static_cast<std::size_t>(unit) - 1].motion;
 }
 
-// The chassis is known: trailers from the front to the back and all spokes read off their rates.
 template <class T>
-[[gnu::noinline]] void move_composed(const Vehicle<T>& vehicle, const Spatial<T>& chassis, ComposedVelocities<T>& out) {
+void move_spoke(const ComposedSpoke<T>& spoke, const Spatial<T>& hub, ComposedVelocity<T>& at) {
+    const int n = spoke.linkage.nV();
+    at.own.solve(n, hub);  // (58)
+    for (int frame = 0; frame <= spoke.linkage.nq(); ++frame) {
+        at.motion[frame] = hub + at.at.motion.x[frame];  // (18), (42)
+        for (int j = 0; j < n; ++j) at.motion[frame] += at.at.motion.J[frame].col(j) * at.own.V_rate[j];
+    }
+}
+
+// The chassis is known: trailers from the front to the back and all spokes read off their rates.
+template <class T, class S>
+void move_composed(const Vehicle<T>& vehicle, const Spatial<T>& chassis, ComposedVelocities<T, S>& out) {
     for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
         const Trailer<T>& trailer = vehicle.trailers[i];
         TrailerVelocity<T>& at = out.trailers[i];
@@ -215,17 +271,24 @@ template <class T>
         }
         at.motion = seen_from(at.pose, motion);
     }
-    for (std::size_t i = 0; i < vehicle.composed.size(); ++i) {
-        const ComposedSpoke<T>& spoke = vehicle.composed[i];
-        ComposedVelocity<T>& at = out.spokes[i];
-        const Spatial<T>& hub = unit_motion(spoke.unit, chassis, out);
-        const int n = spoke.linkage.nV();
-        at.own.solve(n, hub);  // (58)
-        for (int frame = 0; frame <= spoke.linkage.nq(); ++frame) {
-            at.motion[frame] = hub + at.at.motion.x[frame];  // (18), (42)
-            for (int j = 0; j < n; ++j) at.motion[frame] += at.at.motion.J[frame].col(j) * at.own.V_rate[j];
-        }
-    }
+    vehicle.for_each_composed(
+        [&](std::size_t s) {
+            const ComposedSpoke<T>& spoke = vehicle.composed[s];
+            move_spoke(spoke, unit_motion(spoke.unit, chassis, out), out.spokes[s]);
+        },
+        [&](const auto& pair, std::size_t number) {
+            ComposedVelocity<S>& at = out.pairs[number];
+            move_spoke(pair.spokes, abreast<S>(unit_motion(pair.spokes.unit, chassis, out)), at);
+            for (int l = 0; l < 2; ++l) {
+                ComposedVelocity<T>& spoke = out.spokes[static_cast<std::size_t>(pair.first + l)];
+                for (int frame = 0; frame <= pair.spokes.linkage.nq(); ++frame) {
+                    unpack(at.motion[frame], l, spoke.motion[frame]);
+                }
+                for (int j = 0; j < pair.spokes.linkage.nV(); ++j) {
+                    spoke.own.V_rate[j] = lane(at.own.V_rate[j], l);
+                }
+            }
+        });
 }
 
 }  // namespace hamilcar

@@ -28,7 +28,7 @@ using CondensedSpoke = std::array<S, 21 + 6>;
 
 // Calls f(row, column, number) for the lower triangle of a 6x6 matrix, column by column.
 template <class F>
-HAMILCAR_CORE void for_each_lower(F&& f) {
+void for_each_lower(F&& f) {
     std::size_t next = 0;
 #pragma GCC unroll 6
     for (int j = 0; j < 6; ++j) {

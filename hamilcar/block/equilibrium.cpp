@@ -59,7 +59,7 @@ void hold_on_slope(const Model<double>& model, const Input<double>& input, const
 
 // Across which ground the vehicle stands, in ground axes: the road's plane, or the mean of what its wheels stand on.
 Vec3<double> ground_normal(const Model<double>& model, const Input<double>& input, State<double>& state) {
-    if (!model.surface.any) return model.road.normal;
+    if (!model.surface) return model.road.normal;
     const auto velocity = velocity_block(model, state, input);
     const auto momenta = momenta_block(model, state, input, velocity);
     Vec3<double> sum = Vec3<double>::Zero();
@@ -153,7 +153,7 @@ void touch_road(const Model<double>& model, const Input<double>& input, const Ve
         }
     }
     // On uneven ground the wheels' mean: a single high one would hold the others in the air.
-    state.position() += normal * ((model.surface.any ? sum / count : deepest) - static_deflection);
+    state.position() += normal * ((model.surface ? sum / count : deepest) - static_deflection);
 }
 
 }  // namespace

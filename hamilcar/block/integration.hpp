@@ -31,7 +31,7 @@ void close_loops(const Model<T>& model, const RackMotion<T>& rack, State<T>& sta
 extern template void close_loops<double>(const Model<double>&, const RackMotion<double>&, State<double>&, int);
 
 template <class T>
-HAMILCAR_CORE void add_closing(const Model<T>& model, const RingTurn<T>& turn, State<T>& state) {
+void add_closing(const Model<T>& model, const RingTurn<T>& turn, State<T>& state) {
     for (int i = 0; i < model.vehicle.spoke_count(); ++i) {
         const auto& closing = turn.closing[static_cast<std::size_t>(i)];
         dispatch(model.vehicle.spokes[static_cast<std::size_t>(i)].suspension, [&](const auto& suspension) {
@@ -51,34 +51,50 @@ HAMILCAR_CORE void add_closing(const Model<T>& model, const RingTurn<T>& turn, S
 
 // One Newton step on |q|^2 = 1: a step's drift is so small that it leaves nothing.
 template <class T>
-HAMILCAR_CORE void normalize_orientation(State<T>& state) {
-    const Vector<T, 4> q = state.orientation();
-    state.orientation() = q * (T(1.5) - T(0.5) * q.squaredNorm());
+Vector<T, 4> normalized(const Vector<T, 4>& q) {
+    return q * (T(1.5) - T(0.5) * q.squaredNorm());
 }
 
-// One step, from a state to another or in place; `input_at(t)` is the driver. Returns the worst health met on the way; of
-// the adaptive method only at the start, since its rejected trials lead anywhere.
-template <class T, class Driver>
-Health<T> integration_block(const Model<T>& model, Integrator<State<T>>& integrator, const Driver& input_at, double t,
-                            const State<T>& from, State<T>& to) {
+// The ring as it is written, for any number.
+template <class T>
+struct PlainRing {
+    using Report = RingTurn<T>;
+    const Model<T>& model;
+
+    void turn(const Input<T>& input, const State<T>& state, State<T>& rate, Report& report) const {
+        evaluate(model, input, state, rate, report);
+    }
+    static void include_health(const Report& further, Report& worst) { worst.health.include(further.health); }
+    void finish(const Report& first, State<T>& to) const {
+        if (model.constraints == ConstraintMode::exact) add_closing(model, first, to);
+        if (model.chart == ChassisChart::quaternion) to.orientation() = normalized<T>(to.orientation());
+    }
+};
+
+// One step by any ring that has the four functions above, from a state to another or in place; `input_at(t)` is the driver.
+// `first` is what the first turn tells, with the worst health met on the way; of the adaptive method only that at the start,
+// since its rejected trials lead anywhere. `further` is scratch.
+template <class Ring, class State, class Driver>
+void integrate(const Ring& ring, Integrator<State>& integrator, const Driver& input_at, double t, const State& from,
+               State& to, typename Ring::Report& first, typename Ring::Report& further) {
     const bool trials = integrator.method().family == MethodFamily::embedded_runge_kutta;
-    RingTurn<T> first, further;
     int turns = 0;
-    const auto rate_at = [&](double time, const State<T>& at, State<T>& rate) {
-        evaluate(model, input_at(time), at, rate, turns == 0 ? first : further);
-        if (turns > 0 && !trials) first.health.include(further.health);
+    const auto rate_at = [&](double time, const State& at, State& rate) {
+        ring.turn(input_at(time), at, rate, turns == 0 ? first : further);
+        if (turns > 0 && !trials) Ring::include_health(further, first);
         ++turns;
     };
     integrator.advance(rate_at, t, from, to);
-    if (model.constraints == ConstraintMode::exact) add_closing(model, first, to);
-    if (model.chart == ChassisChart::quaternion) normalize_orientation(to);
-    return first.health;
+    ring.finish(first, to);
 }
 
+// By the plain ring.
 template <class T, class Driver>
 Health<T> integration_block(const Model<T>& model, Integrator<State<T>>& integrator, const Driver& input_at, double t,
                             State<T>& state) {
-    return integration_block(model, integrator, input_at, t, state, state);
+    RingTurn<T> first, further;
+    integrate(PlainRing<T>{model}, integrator, input_at, t, state, state, first, further);
+    return first.health;
 }
 
 }  // namespace hamilcar

@@ -10,21 +10,11 @@
 
 namespace hamilcar {
 
-// What stands on the plane, lane by lane; null where nothing does. Whoever makes a model keeps the surfaces.
-template <class T>
-struct SurfaceOfLanes {
-    std::array<const Surface*, static_cast<std::size_t>(lane_count<T>)> lanes{};
-    bool any = false;
-
-    SurfaceOfLanes() = default;
-    explicit SurfaceOfLanes(const Surface* same) : any(same != nullptr) { lanes.fill(same); }
-};
-
 template <class T>
 struct Model {
     Vehicle<T> vehicle;
     PlaneRoad<T> road;
-    SurfaceOfLanes<T> surface{};
+    const Surface* surface = nullptr;  // what stands on the plane, if anything does; whoever makes a model keeps it
     ChassisChart chart = ChassisChart::quaternion;
     ConstraintMode constraints = ConstraintMode::exact;
     T stabilization_gain{0};     // alpha of (27) [1/s]; zero in exact mode
@@ -46,7 +36,7 @@ struct Input {
 
 // Calls f with the chart object the model names.
 template <class T, class F>
-HAMILCAR_CORE decltype(auto) with_chart(const Model<T>& model, F&& f) {
+decltype(auto) with_chart(const Model<T>& model, F&& f) {
     return model.chart == ChassisChart::quaternion ? f(QuaternionChart<T>{}) : f(BryantChart<T>{});
 }
 

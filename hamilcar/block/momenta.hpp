@@ -21,9 +21,9 @@ struct Momenta {
 
 // Forces of the bars on the spokes along their wheels' travel: they couple spokes before any of them is finished.
 template <class T, class S>
-HAMILCAR_CORE std::array<T, max_spokes> anti_roll_forces(const Vehicle<T>& vehicle, const Velocity<T, S>& velocity) {
+std::array<T, max_spokes> anti_roll_forces(const Vehicle<T>& vehicle, const Velocity<T, S>& velocity) {
     std::array<T, max_spokes> travel, force;
-    vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
+    vehicle.template for_each_row<S>([&](const auto& row, int i) {
         visit_spoke(row.spokes, velocity, i, [&](const Spoke<S>& spoke, const auto&, const auto& at) {
             const S own = wheel_travel(spoke, at);
             for (std::size_t l = 0; l < static_cast<std::size_t>(row.count); ++l) {
@@ -42,8 +42,8 @@ HAMILCAR_CORE std::array<T, max_spokes> anti_roll_forces(const Vehicle<T>& vehic
 
 // What the ground, the air and gravity do to the chassis itself.
 template <class T>
-HAMILCAR_CORE void chassis_momenta(const Vehicle<T>& vehicle, const Surroundings<T>& world, const Vec3<T>& wind,
-                                   const GroundBelow<T>& ground, Spatial<T>& external, T& work_rate) {
+void chassis_momenta(const Vehicle<T>& vehicle, const Surroundings<T>& world, const Vec3<T>& wind,
+                     const GroundBelow<T>& ground, Spatial<T>& external, T& work_rate) {
     const auto air = vehicle.aerodynamics.evaluate(world.hub, wind);
     const WheelRoad<T> below = ground_of_hull(ground, vehicle.hull, world.hub);
     const auto hull = vehicle.hull.contact(below.plane, world.hub, below.rise);
@@ -52,17 +52,9 @@ HAMILCAR_CORE void chassis_momenta(const Vehicle<T>& vehicle, const Surroundings
     work_rate = air.power + hull.lost_power;
 }
 
-template <class S, class T>
-HAMILCAR_CORE Surroundings<S> abreast(const Surroundings<T>& world) {
-    return {{abreast<S>(world.road.normal), S(world.road.offset), S(world.road.friction)},
-            abreast<S>(world.gravity),
-            abreast<S>(world.hub),
-            S(world.gain)};
-}
-
 template <Account account, class S, class T>
-HAMILCAR_CORE Momenta<T, S> momenta_block_of(const Model<T>& model, const State<T>& state, const Input<T>& input,
-                                             const Velocity<T, S>& velocity) {
+Momenta<T, S> momenta_block_of(const Model<T>& model, const State<T>& state, const Input<T>& input,
+                               const Velocity<T, S>& velocity) {
     Momenta<T, S> out;
     const Vehicle<T>& vehicle = model.vehicle;
     const Surroundings<T> world{model.road.seen_from(state.position(), velocity.R_GC),
@@ -82,12 +74,12 @@ HAMILCAR_CORE Momenta<T, S> momenta_block_of(const Model<T>& model, const State<
     }
     const std::array<T, max_spokes> bars = anti_roll_forces(vehicle, velocity);
     const Surroundings<S> around = abreast<S>(world);
-    const Input<S> inputs{abreast<S>(input.rack), S(input.drive_torque), S(input.brake), input.time};
+    const Input<S> inputs = abreast<S>(input);
     const GroundBelow<S> ground{around.road, below_chassis.uneven};
     std::array<Spatial<S>, max_spokes> tires;
-    vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
+    vehicle.template for_each_row<S>([&](const auto& row, int i) {
         const auto numbers = gather_row<S>(state, row.index);
-        visit_spoke(row.spokes, velocity, i, [&](const Spoke<S>& spoke, const auto&, const auto& at) HAMILCAR_INLINED {
+        visit_spoke(row.spokes, velocity, i, [&](const Spoke<S>& spoke, const auto&, const auto& at) {
             const GroundOfWheel<S> below{ground, {row.index[0], row.index[1]}};
             S drive = spoke.drive_share * inputs.drive_torque;
             if (powered) drive += from_places<S>(shafts.corners, row.index);
@@ -96,14 +88,13 @@ HAMILCAR_CORE Momenta<T, S> momenta_block_of(const Model<T>& model, const State<
         });
     });
     PlaceSum<T, S, std::tuple_size_v<SpokeShare<S>>> sum;
-    vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
+    vehicle.template for_each_row<S>([&](const auto& row, int i) {
         const auto numbers = gather_row<S>(state, row.index);
-        visit_spoke(row.spokes, velocity, i,
-                    [&](const Spoke<S>& spoke, const auto& suspension, const auto& at) HAMILCAR_INLINED {
-                        sum.add(spoke_momenta<account>(spoke, suspension, at, spoke_view(numbers), inputs, around,
-                                                       tires[i], from_places<S>(bars, row.index), out.spokes[i]),
-                                row);
-                    });
+        visit_spoke(row.spokes, velocity, i, [&](const Spoke<S>& spoke, const auto& suspension, const auto& at) {
+            sum.add(spoke_momenta<account>(spoke, suspension, at, spoke_view(numbers), inputs, around, tires[i],
+                                           from_places<S>(bars, row.index), out.spokes[i]),
+                    row);
+        });
     });
     const SpokeShare<T> spokes = sum.total();
     for (int k = 0; k < 6; ++k) out.external[k] += spokes[static_cast<std::size_t>(k)];

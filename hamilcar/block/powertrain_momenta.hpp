@@ -41,10 +41,10 @@ std::array<T, max_driven_wheels> shaft_speeds(const Vehicle<T>& vehicle, const S
 
 // Axes of the corners' wheels, whatever number carries the spokes.
 template <class T, class S, class VelocityRef>
-HAMILCAR_CORE std::array<Vec3<T>, max_spokes> corner_axes(const Vehicle<T>& vehicle, const VelocityRef& velocity) {
+std::array<Vec3<T>, max_spokes> corner_axes(const Vehicle<T>& vehicle, const VelocityRef& velocity) {
     std::array<Vec3<T>, max_spokes> axes;
-    vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
-        visit_spoke(row.spokes, velocity, i, [&](const auto&, const auto&, const auto& at) HAMILCAR_INLINED {
+    vehicle.template for_each_row<S>([&](const auto& row, int i) {
+        visit_spoke(row.spokes, velocity, i, [&](const auto&, const auto&, const auto& at) {
             for (int l = 0; l < row.count; ++l) {
                 Vec3<T>& axis = axes[static_cast<std::size_t>(row.index[static_cast<std::size_t>(l)])];
                 for (int k = 0; k < 3; ++k) axis[k] = at_place<T>(at.spin_axis[k], l);
@@ -56,9 +56,9 @@ HAMILCAR_CORE std::array<Vec3<T>, max_spokes> corner_axes(const Vehicle<T>& vehi
 
 // Adds to the work: what the torques between rotors and chassis do. That of the shafts is counted where they push.
 template <class T, class VelocityRef>
-[[gnu::noinline]] void powertrain_momenta(const Vehicle<T>& vehicle, const State<T>& state, const Input<T>& input,
-                                          const VelocityRef& velocity, const std::array<Vec3<T>, max_spokes>& spin_axes,
-                                          PowertrainMomenta<T>& out, ShaftTorques<T>& shafts, T& work_rate) {
+void powertrain_momenta(const Vehicle<T>& vehicle, const State<T>& state, const Input<T>& input,
+                        const VelocityRef& velocity, const std::array<Vec3<T>, max_spokes>& spin_axes,
+                        PowertrainMomenta<T>& out, ShaftTorques<T>& shafts, T& work_rate) {
     const Powertrain<T>& powertrain = vehicle.powertrain;
     const auto speeds = shaft_speeds(vehicle, state, velocity, spin_axes);
     powertrain.evaluate(input.throttle, input.clutch, input.gear, Vec3<T>(angular(velocity.hub)), speeds,

@@ -1,13 +1,14 @@
 // The program of the paper's Fig. 10: State -> Velocity -> Momenta -> rate of State. Integration closes the ring.
 #pragma once
 
+#include "hamilcar/block/composed_rates.hpp"
 #include "hamilcar/block/momenta.hpp"
 
 namespace hamilcar {
 
 // The rates of a spoke's numbers; of those that its linkage does not have, zero.
 template <class Linkage, class S>
-HAMILCAR_CORE void write_rates(const SpokeMomenta<S>& from, const SpokeState<S>& to) {
+void write_rates(const SpokeMomenta<S>& from, const SpokeState<S>& to) {
     for (int j = 0; j < max_independent; ++j) {
         to.independent[j] = j < Linkage::nV ? from.V_rate[j] : S(0);
         to.momentum[j] = j < Linkage::nV ? from.momentum_rate[j] : S(0);
@@ -21,7 +22,7 @@ HAMILCAR_CORE void write_rates(const SpokeMomenta<S>& from, const SpokeState<S>&
 
 // The same for the spokes in a row, each where it stands.
 template <class Linkage, class S, class T, class Row>
-HAMILCAR_CORE void write_row_rates(const SpokeMomenta<S>& from, const Row& row, State<T>& rate) {
+void write_row_rates(const SpokeMomenta<S>& from, const Row& row, State<T>& rate) {
     if constexpr (row_width<S, T> == 1) {
         write_rates<Linkage>(from, rate.spoke(row.index[0]));
     } else {
@@ -33,23 +34,23 @@ HAMILCAR_CORE void write_row_rates(const SpokeMomenta<S>& from, const Row& row, 
 
 // The rate of every number of the state, from the two blocks' outputs.
 template <class T, class S>
-HAMILCAR_CORE void rate_of_state(const Model<T>& model, const State<T>& state, const Velocity<T, S>& velocity,
-                                 const Momenta<T, S>& momenta, State<T>& rate) {
+void rate_of_state(const Model<T>& model, const State<T>& state, const Velocity<T, S>& velocity,
+                   const Momenta<T, S>& momenta, State<T>& rate) {
     const Mat3<T>& R = velocity.R_GC;
     const Vec3<T> p = R * linear(velocity.momentum), r_rate = R * linear(velocity.hub);
     const Vec3<T> F = R * linear(momenta.external), N = R * angular(momenta.external);
     const Vec3<T> w = angular(velocity.hub);
     const ChassisRates<T> rates{r_rate, R * w, w, spatial<T>(p, R * angular(velocity.momentum)),
                                 spatial<T>(F, N - r_rate.cross(p))};
-    with_chart(model, [&](auto chart) HAMILCAR_INLINED {
+    with_chart(model, [&](auto chart) {
         const Vector<T, 4> orientation = state.orientation();
         rate.orientation() = chart.orientation_rate(orientation, rates);
         rate.momentum() = chart.stored_momentum_rate(orientation, rates);  // (71)
     });
     rate.position() = r_rate;
     rate.work() = momenta.work_rate;
-    model.vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
-        visit_spoke(row.spokes, velocity, i, [&](const auto&, const auto& suspension, const auto&) HAMILCAR_INLINED {
+    model.vehicle.template for_each_row<S>([&](const auto& row, int i) {
+        visit_spoke(row.spokes, velocity, i, [&](const auto&, const auto& suspension, const auto&) {
             using Linkage = typename std::decay_t<decltype(suspension)>::Linkage;
             write_row_rates<Linkage>(momenta.spokes[i], row, rate);
         });
@@ -72,10 +73,10 @@ struct RingTurn {
 };
 
 template <class T, class S>
-HAMILCAR_CORE void report_turn(const Model<T>& model, const Velocity<T, S>& velocity, RingTurn<T>& turn) {
+void report_turn(const Model<T>& model, const Velocity<T, S>& velocity, RingTurn<T>& turn) {
     turn.health = velocity.health;
-    model.vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
-        visit_spoke(row.spokes, velocity, i, [&](const auto&, const auto&, const auto& at) HAMILCAR_INLINED {
+    model.vehicle.template for_each_row<S>([&](const auto& row, int i) {
+        visit_spoke(row.spokes, velocity, i, [&](const auto&, const auto&, const auto& at) {
             for (int l = 0; l < row.count; ++l) {
                 auto& closing = turn.closing[static_cast<std::size_t>(row.index[static_cast<std::size_t>(l)])];
                 for (int j = 0; j < at.position.closing.size(); ++j)
@@ -90,8 +91,7 @@ HAMILCAR_CORE void report_turn(const Model<T>& model, const Velocity<T, S>& velo
 
 // One turn of the ring without Integration; a lean account leaves the work of the energy balance alone.
 template <Account account, class T>
-HAMILCAR_IN_ONE_PIECE void turn_ring(const Model<T>& model, const Input<T>& input, const State<T>& state,
-                                     State<T>& rate, RingTurn<T>& turn) {
+void turn_ring(const Model<T>& model, const Input<T>& input, const State<T>& state, State<T>& rate, RingTurn<T>& turn) {
     using S = Abreast<T>;
     const Velocity<T, S> velocity = velocity_block_of<S>(model, state, input);
     const Momenta<T, S> momenta = momenta_block_of<account>(model, state, input, velocity);
@@ -110,10 +110,9 @@ void evaluate(const Model<T>& model, const Input<T>& input, const State<T>& stat
     }
 }
 
-#ifndef HAMILCAR_INSTRUCTION_SET  // an engine links with nothing and has its own
+// Compiled once, in plain_blocks.cpp.
 extern template void evaluate<double>(const Model<double>&, const Input<double>&, const State<double>&, State<double>&,
                                       RingTurn<double>&);
-#endif
 
 template <class T>
 RingTurn<T> evaluate(const Model<T>& model, const Input<T>& input, const State<T>& state, State<T>& rate) {

@@ -40,9 +40,8 @@ using SpokeShare = std::array<T, 6 + 1>;
 // Returns the tire's wrench. The wheels come first and together, since a tire is a chain of roots and quotients that
 // another wheel's can run beside.
 template <Account account, class T, class Kind>
-HAMILCAR_CORE Spatial<T> wheel_momenta(const Spoke<T>& spoke, const SpokeVelocity<T, Kind>& at,
-                                       const SpokeState<const T>& state, const T& brake_command, const T& drive,
-                                       const GroundOfWheel<T>& ground, SpokeMomenta<T>& out) {
+Spatial<T> wheel_momenta(const Spoke<T>& spoke, const SpokeVelocity<T, Kind>& at, const SpokeState<const T>& state,
+                         const T& brake_command, const T& drive, const GroundOfWheel<T>& ground, SpokeMomenta<T>& out) {
     SpokeForces<T> scratch;
     SpokeForces<T>& f = account == Account::full ? out.forces : scratch;
     const T omega = state.spin_momentum * spoke.wheel.inverse_spin_inertia;
@@ -62,20 +61,19 @@ HAMILCAR_CORE Spatial<T> wheel_momenta(const Spoke<T>& spoke, const SpokeVelocit
 
 // Power that is not in the potential, without the drift terms.
 template <class T>
-HAMILCAR_CORE T lost_power(const SpokeForces<T>& f, const Vec3<T>& axis, const Spatial<T>& motion,
-                           const Spatial<T>& hub) {
+T lost_power(const SpokeForces<T>& f, const Vec3<T>& axis, const Spatial<T>& motion, const Spatial<T>& hub) {
     const T shaft = f.drive_torque * (f.spin + axis.dot(angular(motion) - angular(hub)));
     return lost_in_tire(f) + shaft + f.brake_torque * f.spin + f.damper * f.damper_rate;
 }
 
 template <class T, class Kind>
-HAMILCAR_CORE T wheel_travel(const Spoke<T>& spoke, const SpokeVelocity<T, Kind>& at) {
+T wheel_travel(const Spoke<T>& spoke, const SpokeVelocity<T, Kind>& at) {
     return at.wheel_center[2] - spoke.wheel.center[2];
 }
 
 // How the wheel's travel, along chassis z, follows the independent coordinates.
 template <class T, class Position>
-HAMILCAR_CORE auto travel_line(const T& travel, const Vec3<T>& center, const Position& at) {
+auto travel_line(const T& travel, const Vec3<T>& center, const Position& at) {
     constexpr int nV = std::decay_t<decltype(at.J)>::ColsAtCompileTime;
     const auto rise = [&](const auto& motion) -> T {
         return motion[2] + (motion[3] * center[1] - motion[4] * center[0]);
@@ -89,10 +87,9 @@ HAMILCAR_CORE auto travel_line(const T& travel, const Vec3<T>& center, const Pos
 
 // Rates of one spoke's linkage, its tire pushing with `tire` and the anti-roll bars with `bar`.
 template <Account account, class T, class Kind>
-HAMILCAR_CORE SpokeShare<T> spoke_momenta(const Spoke<T>& spoke, const Kind& suspension,
-                                          const SpokeVelocity<T, Kind>& at, const SpokeState<const T>& state,
-                                          const Input<T>& input, const Surroundings<T>& world, const Spatial<T>& tire,
-                                          const T& bar, SpokeMomenta<T>& out) {
+SpokeShare<T> spoke_momenta(const Spoke<T>& spoke, const Kind& suspension, const SpokeVelocity<T, Kind>& at,
+                            const SpokeState<const T>& state, const Input<T>& input, const Surroundings<T>& world,
+                            const Spatial<T>& tire, const T& bar, SpokeMomenta<T>& out) {
     constexpr int nV = Kind::Linkage::nV, nW = Kind::Linkage::nW;
     const auto rates = suspension.linkage.rates(at.position, at.V_rate, input.rack);
     Spatial<T> h = at.inertia * at.motion;

@@ -50,14 +50,14 @@ struct Velocity {
     Spatial<T> momentum;  // (p ; L) in chassis axes
     Spatial<T> hub;       // v_1
     StaticVector<AnySpokeVelocity<S>, max_spokes> spokes;
-    ComposedVelocities<T> composed;  // and trailers
+    ComposedVelocities<T, S> composed;  // and trailers
     Velocity() {}
 };
 
 // Calls f(spoke, suspension, its velocities) with the types resolved, once for the spoke or the spokes abreast.
 template <class S, class VelocityRef, class F>
-HAMILCAR_CORE decltype(auto) visit_spoke(const Spoke<S>& spoke, VelocityRef& velocity, int i, F&& f) {
-    return dispatch(spoke.suspension, [&](const auto& suspension) HAMILCAR_INLINED -> decltype(auto) {
+decltype(auto) visit_spoke(const Spoke<S>& spoke, VelocityRef& velocity, int i, F&& f) {
+    return dispatch(spoke.suspension, [&](const auto& suspension) -> decltype(auto) {
         using Kind = std::decay_t<decltype(suspension)>;
         return f(spoke, suspension, *std::get_if<SpokeVelocity<S, Kind>>(&velocity.spokes[i]));
     });
@@ -69,9 +69,8 @@ decltype(auto) visit_spoke(const Vehicle<T>& vehicle, VelocityRef& velocity, int
 
 // Positions, inertia and condensed momentum of one spoke.
 template <class S, class Kind>
-HAMILCAR_CORE CondensedSpoke<S> condense_spoke(const Spoke<S>& spoke, const Kind& suspension,
-                                               const SpokeState<const S>& state, const RackMotion<S>& rack,
-                                               const S& gain, SpokeVelocity<S, Kind>& out) {
+CondensedSpoke<S> condense_spoke(const Spoke<S>& spoke, const Kind& suspension, const SpokeState<const S>& state,
+                                 const RackMotion<S>& rack, const S& gain, SpokeVelocity<S, Kind>& out) {
     constexpr int nV = Kind::Linkage::nV;
     suspension.linkage.find_position(state.independent, state.dependent, rack, gain, out.position);
     const auto& at = out.position;
@@ -92,17 +91,17 @@ HAMILCAR_CORE CondensedSpoke<S> condense_spoke(const Spoke<S>& spoke, const Kind
 
     const Matrix<S, 6, nV> condensed = out.MJ * out.m_inverse;
     Matrix<S, 6, 6> K;
-    for_each_lower([&](int i, int j, std::size_t) HAMILCAR_INLINED { K(i, j) = -condensed.row(i).dot(out.MJ.row(j)); });
+    for_each_lower([&](int i, int j, std::size_t) { K(i, j) = -condensed.row(i).dot(out.MJ.row(j)); });
     out.inertia.add_to_lower(K);
     CondensedSpoke<S> share;
-    for_each_lower([&](int i, int j, std::size_t k) HAMILCAR_INLINED { share[k] = K(i, j); });
+    for_each_lower([&](int i, int j, std::size_t k) { share[k] = K(i, j); });
     for (std::size_t j = 0; j < 6; ++j) share[21 + j] = carried[j] + condensed.row(j).dot(out.k);
     return share;
 }
 
 // Largest |Phi| and smallest mobility of the spokes in a row.
 template <class T, class S, class Kind>
-HAMILCAR_CORE Health<T> inspect_spoke(const Spoke<S>& spoke, const SpokeVelocity<S, Kind>& at, int count) {
+Health<T> inspect_spoke(const Spoke<S>& spoke, const SpokeVelocity<S, Kind>& at, int count) {
     S violation(0);
     for (int j = 0; j < Kind::Linkage::nW; ++j) violation = max(violation, abs(at.position.Phi[j]));
     const S mobility = at.position.determinant * spoke.inverse_design_determinant;
@@ -111,14 +110,9 @@ HAMILCAR_CORE Health<T> inspect_spoke(const Spoke<S>& spoke, const SpokeVelocity
     return health;
 }
 
-template <class S, class T>
-HAMILCAR_CORE RackMotion<S> abreast(const RackMotion<T>& rack) {
-    return {S(rack.displacement), S(rack.rate), S(rack.acceleration)};
-}
-
 // The momenta of all rotors, in the chassis's axes.
 template <class T>
-HAMILCAR_CORE Vec3<T> rotor_momenta(const Powertrain<T>& powertrain, const State<T>& state) {
+Vec3<T> rotor_momenta(const Powertrain<T>& powertrain, const State<T>& state) {
     Vec3<T> sum = Vec3<T>::Zero();
     for (std::size_t i = 0; i < powertrain.units.size(); ++i) {
         sum += powertrain.units[i].axis * powertrain.unit_state(i, state.values.data()).momentum;
@@ -128,10 +122,9 @@ HAMILCAR_CORE Vec3<T> rotor_momenta(const Powertrain<T>& powertrain, const State
 
 // The 6x6 system of the hub with all spokes condensed.  // (58)
 template <class T>
-HAMILCAR_CORE Spatial<T> solve_hub(const SpatialInertia<T>& chassis, const Spatial<T>& momentum,
-                                   const CondensedSpoke<T>& spokes) {
+Spatial<T> solve_hub(const SpatialInertia<T>& chassis, const Spatial<T>& momentum, const CondensedSpoke<T>& spokes) {
     Matrix<T, 6, 6> K;
-    for_each_lower([&](int i, int j, std::size_t k) HAMILCAR_INLINED { K(i, j) = spokes[k]; });
+    for_each_lower([&](int i, int j, std::size_t k) { K(i, j) = spokes[k]; });
     chassis.add_to_lower(K);
     Spatial<T> rest;
     for (std::size_t j = 0; j < 6; ++j) rest[j] = momentum[j] - spokes[21 + j];
@@ -139,10 +132,10 @@ HAMILCAR_CORE Spatial<T> solve_hub(const SpatialInertia<T>& chassis, const Spati
 }
 
 template <class S, class T>
-HAMILCAR_CORE Velocity<T, S> velocity_block_of(const Model<T>& model, const State<T>& state, const Input<T>& input) {
+Velocity<T, S> velocity_block_of(const Model<T>& model, const State<T>& state, const Input<T>& input) {
     Velocity<T, S> out;
     const Vehicle<T>& vehicle = model.vehicle;
-    with_chart(model, [&](auto chart) HAMILCAR_INLINED {
+    with_chart(model, [&](auto chart) {
         const Vector<T, 4> orientation = state.orientation();
         out.R_GC = chart.rotation(orientation);
         const Spatial<T> momentum = chart.momentum(orientation, state.momentum());
@@ -150,9 +143,9 @@ HAMILCAR_CORE Velocity<T, S> velocity_block_of(const Model<T>& model, const Stat
     });
     PlaceSum<T, S, std::tuple_size_v<CondensedSpoke<S>>> condensed;
     const RackMotion<S> rack = abreast<S>(input.rack);
-    vehicle.template for_each_row<S>([&](const auto& row, int) HAMILCAR_INLINED {
+    vehicle.template for_each_row<S>([&](const auto& row, int) {
         const auto numbers = gather_row<S>(state, row.index);
-        dispatch(row.spokes.suspension, [&](const auto& suspension) HAMILCAR_INLINED {
+        dispatch(row.spokes.suspension, [&](const auto& suspension) {
             using Kind = std::decay_t<decltype(suspension)>;
             auto& spoke =
                 std::get<SpokeVelocity<S, Kind>>(out.spokes.emplace_back(std::in_place_type<SpokeVelocity<S, Kind>>));
@@ -173,8 +166,8 @@ HAMILCAR_CORE Velocity<T, S> velocity_block_of(const Model<T>& model, const Stat
     }
     out.hub = solve_hub(vehicle.chassis_inertia, out.momentum, total);
     const Spatial<S> hub = abreast<S>(out.hub);
-    vehicle.template for_each_row<S>([&](const auto& row, int i) HAMILCAR_INLINED {
-        visit_spoke(row.spokes, out, i, [&](const auto&, const auto&, auto& spoke) HAMILCAR_INLINED {
+    vehicle.template for_each_row<S>([&](const auto& row, int i) {
+        visit_spoke(row.spokes, out, i, [&](const auto&, const auto&, auto& spoke) {
             spoke.V_rate = spoke.m_inverse * (spoke.k - spoke.MJ.transpose() * hub);  // (58)
             spoke.motion = hub + spoke.position.J * spoke.V_rate;                     // (18), (42)
             if constexpr (std::decay_t<decltype(spoke.position)>::drifts) spoke.motion += spoke.position.x;

@@ -1,6 +1,7 @@
 // What pushes a wheel: tire, drive, brake, and the equation of its spin.
 #pragma once
 
+#include "hamilcar/block/model.hpp"
 #include "hamilcar/road/ground.hpp"
 #include "hamilcar/tire/contact.hpp"
 #include "hamilcar/vehicle/composed.hpp"
@@ -15,6 +16,23 @@ struct Surroundings {
     Spatial<T> hub;   // v_1
     T gain;           // alpha
 };
+
+template <class S, class T>
+Surroundings<S> abreast(const Surroundings<T>& world) {
+    return {{abreast<S>(world.road.normal), S(world.road.offset), S(world.road.friction)},
+            abreast<S>(world.gravity),
+            abreast<S>(world.hub),
+            S(world.gain)};
+}
+
+// What a spoke is told of the driver.
+template <class S, class T>
+Input<S> abreast(const Input<T>& input) {
+    return {{S(input.rack.displacement), S(input.rack.rate), S(input.rack.acceleration)},
+            S(input.drive_torque),
+            S(input.brake),
+            input.time};
+}
 
 // For the equations and for the channels.
 template <class T>
@@ -44,7 +62,7 @@ struct GroundOfWheel {
 
 // What a tire's forces do to the carrier with its wheel.
 template <class T, class Kind>
-HAMILCAR_CORE Spatial<T> carrier_wrench(const Kind& tire, const TireForces<T>& f, const Vec3<T>& axis) {
+Spatial<T> carrier_wrench(const Kind& tire, const TireForces<T>& f, const Vec3<T>& axis) {
     const ContactFrame<T>& at = f.frame;
     const TireForce<T>& F = f.tire;
     Spatial<T> wrench = force_at<T>(at.point, F.Fx * at.longitudinal + F.Fy * at.lateral + F.Fz * at.normal);
@@ -56,10 +74,10 @@ HAMILCAR_CORE Spatial<T> carrier_wrench(const Kind& tire, const TireForces<T>& f
 // A tire that stands at `center` and turns with `omega` about the axis, its carrier moving with `motion` and its contact
 // deflected by u, v. Returns the wrench on the carrier with its wheel; adds to the torque about the axis.
 template <class T>
-HAMILCAR_CORE Spatial<T> tire_wrench(const Tire<T>& any_tire, const GroundOfWheel<T>& below, const Vec3<T>& center,
-                                     const Vec3<T>& axis, const Spatial<T>& motion, const T& omega, const T& turning,
-                                     const T& u, const T& v, TireForces<T>& out, T& spin_torque) {
-    return dispatch(any_tire, [&](const auto& tire) HAMILCAR_INLINED -> Spatial<T> {
+Spatial<T> tire_wrench(const Tire<T>& any_tire, const GroundOfWheel<T>& below, const Vec3<T>& center,
+                       const Vec3<T>& axis, const Spatial<T>& motion, const T& omega, const T& turning, const T& u,
+                       const T& v, TireForces<T>& out, T& spin_torque) {
+    return dispatch(any_tire, [&](const auto& tire) -> Spatial<T> {
         const WheelRoad<T> road = below.ground.under(center, axis, motion, tire.radius, below.numbers);
         const auto f = contact_frame<T>(road.plane, center, axis, tire.radius);
         const Vec3<T> velocity = velocity_at<T>(motion, f.point);
@@ -91,7 +109,7 @@ HAMILCAR_CORE Spatial<T> tire_wrench(const Tire<T>& any_tire, const GroundOfWhee
 
 // Power of a tire that is not in its potential.
 template <class T>
-HAMILCAR_CORE T lost_in_tire(const TireForces<T>& f) {
+T lost_in_tire(const TireForces<T>& f) {
     return f.tire.Fx * f.contact.v_sx + f.tire.Fy * f.contact.v_sy -
            (f.tire.Fz - f.tire.elastic) * f.contact.depth_rate + f.tire.Fz * f.rise +
            f.tire.rolling_moment * f.contact.omega + f.moment_power;

@@ -28,12 +28,12 @@ struct Brake {
           held_back(1 - d.valve_slope) {}
 
     // What the brake can hold [N m].
-    HAMILCAR_CORE T limit(const T& command) const {
+    T limit(const T& command) const {
         return (command - held_back * max(T(command - valve_command), T(0))) * max_torque;
     }
 
     // Torque on the wheel about its axis, turning with `spin` against the carrier.
-    HAMILCAR_CORE typename Grip<T>::Output evaluate(const T& command, const T& spin, const T& windup) const {
+    typename Grip<T>::Output evaluate(const T& command, const T& spin, const T& windup) const {
         return Grip<T>::evaluate(limit(command), spin, windup, stiffness, damping, compliance);
     }
 };

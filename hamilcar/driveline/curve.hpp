@@ -23,7 +23,7 @@ struct Curve {
         }
     }
 
-    HAMILCAR_CORE T at(const T& x) const {
+    T at(const T& x) const {
         T sum = first;
         for (std::size_t i = 0; i < slope.size(); ++i) sum += slope[i] * (clamp(x, start[i], end[i]) - start[i]);
         return sum;

@@ -21,7 +21,7 @@ struct Differential {
                           &D::stiffness, &D::damping, &D::compliance, &D::outputs);
     }
 
-    HAMILCAR_CORE T input_speed(const T& a, const T& b) const { return ratio * (share * a + (T(1) - share) * b); }
+    T input_speed(const T& a, const T& b) const { return ratio * (share * a + (T(1) - share) * b); }
 
     struct Output {
         T a, b;  // on the outputs [N m]
@@ -29,7 +29,7 @@ struct Differential {
         T windup_rate;
         T loss;  // [W]
     };
-    HAMILCAR_CORE Output evaluate(const T& torque, const T& a, const T& b, const T& windup) const {
+    Output evaluate(const T& torque, const T& a, const T& b, const T& windup) const {
         const T out = ratio * torque;
         const T slip = a - b;
         // Ramps and worms feel the torque's sign, a fluid the slip; all of it behind the shafts' torsion, so that no viscosity

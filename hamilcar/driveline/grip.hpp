@@ -18,8 +18,8 @@ struct Grip {
 
     // `limit`: what holds [N m]; `slip`: speed of one side over the other [rad/s]; `compliance`: 1 / stiffness, zero where
     // there is nothing to hold.
-    HAMILCAR_CORE static Output evaluate(const T& limit, const T& slip, const T& windup, const T& stiffness,
-                                         const T& damping, const T& compliance) {
+    static Output evaluate(const T& limit, const T& slip, const T& windup, const T& stiffness, const T& damping,
+                           const T& compliance) {
         const T held = limit * compliance;
         const T outward = T(return_rate) * held;  // what slips winds up no faster than it returns
         const T inward = T(unwinding_rate);

@@ -37,7 +37,7 @@ struct Converter {
     };
     // How far the lockup clutch is closed [1]: where pump and turbine turn nearly alike, and fast enough not to stall the
     // engine. An ordinary clutch, where there is no converter, is always.
-    HAMILCAR_CORE T bridged(const T& pump_speed, const T& turbine_speed) const {
+    T bridged(const T& pump_speed, const T& turbine_speed) const {
         constexpr double opens = 0.85, closes = 0.95;  // speed ratios
         const T nu = turbine_speed / max(pump_speed, T(1));
         const T alike = clamp(T((nu - T(opens)) * T(1 / (closes - opens))), T(0), T(1));
@@ -45,7 +45,7 @@ struct Converter {
         return T(1) - present * (T(1) - alike * fast);
     }
 
-    HAMILCAR_CORE Output evaluate(const T& pump_speed, const T& turbine_speed) const {
+    Output evaluate(const T& pump_speed, const T& turbine_speed) const {
         constexpr double least = 1;  // speed that ratios are formed with at least [rad/s]
         const T ahead = max(pump_speed, T(least)), behind = max(turbine_speed, T(least));
         const T nu = clamp(T(turbine_speed / ahead), T(0), T(1));
@@ -72,7 +72,7 @@ struct Gears {
         T ratio, stiffness, damping;
         T viscosity, connected;
     };
-    HAMILCAR_CORE Engaged at(const T& gear) const {
+    Engaged at(const T& gear) const {
         const T place = clamp(T(gear + T(1)), T(0), T(static_cast<double>(ratio.size() - 1)));
         Engaged out{ratio[0], stiffness[0], damping[0], viscosity[0], connected[0]};
         for (std::size_t i = 0; i + 1 < ratio.size(); ++i) {
@@ -115,15 +115,15 @@ struct PowerUnit {
         T loss;  // power [W]
     };
     // `shaft`: speed of what the gearbox drives [rad/s]; `clutch`: pedal; `followed`: throttle behind the response time.
-    HAMILCAR_CORE Output evaluate(const T& pedal, const T& clutch, const T& gear, const T& spin, const T& shaft,
-                                  const T& windup, const T& followed, const T& oil_torque) const {
+    Output evaluate(const T& pedal, const T& clutch, const T& gear, const T& spin, const T& shaft, const T& windup,
+                    const T& followed, const T& oil_torque) const {
         Output o;
         const auto engaged = gears.at(gear);
         o.spin = spin, o.ratio = engaged.ratio, o.shaft_speed = engaged.ratio * shaft;
         const auto at_once = response_rate == T(0);
         o.throttle = select(at_once, clamp(pedal, T(0), T(1)), followed);
         o.throttle_rate = response_rate * (clamp(pedal, T(0), T(1)) - followed);
-        o.source = dispatch(source, [&](const auto& kind) HAMILCAR_INLINED -> T { return kind.at(o.throttle, spin); });
+        o.source = dispatch(source, [&](const auto& kind) -> T { return kind.at(o.throttle, spin); });
         const T closed = (T(1) - clamp(clutch, T(0), T(1))) * converter.bridged(spin, o.shaft_speed);
         const T limit = capacity * closed * engaged.connected;
         const auto grip = Grip<T>::evaluate(limit, T(spin - o.shaft_speed), windup, engaged.stiffness, engaged.damping,

@@ -40,7 +40,7 @@ struct CombustionEngine {
     }
 
     // Torque on the rotor [N m] at a pedal position [1] and a speed [rad/s].
-    HAMILCAR_CORE T at(const T& pedal, const T& speed) const {
+    T at(const T& pedal, const T& speed) const {
         const T share = speed * inverse_idle_speed;
         const T governed = clamp(T((T(1) - share) * T(1 / governor_band)), T(0), T(1));
         const T throttle = max(clamp(pedal, T(0), T(1)), governed);
@@ -76,7 +76,7 @@ struct ElectricMotor {
           inverse_max_speed(1 / d.max_speed),
           regeneration(d.regeneration) {}
 
-    HAMILCAR_CORE T at(const T& pedal, const T& speed) const {
+    T at(const T& pedal, const T& speed) const {
         const T turning = abs(speed), share = speed * inverse_max_speed;
         const T strongest = min(max_torque, T(max_power / max(turning, T(1e-3))));
         const T throttle = clamp(pedal, T(0), T(1));

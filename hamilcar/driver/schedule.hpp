@@ -17,7 +17,7 @@ inline constexpr std::size_t control_count = 8;
 
 // All inputs at a time [s], of what each control does then: `at` gives its SignalValue<T>.
 template <class T, class At>
-HAMILCAR_CORE Input<T> input_of(double time, bool powered, bool windy, const At& at) {
+Input<T> input_of(double time, bool powered, bool windy, const At& at) {
     const SignalValue<T> rack = at(Control::rack);
     Input<T> input{.rack = {rack.value, rack.rate, rack.acceleration},
                    .drive_torque = at(Control::drive_torque).value,
@@ -38,7 +38,7 @@ public:
     Schedule(const ScenarioDescription& scenario, const SteeringDescription& steering);
 
     // All inputs at a time [s].
-    HAMILCAR_CORE Input<double> operator()(double time) const {
+    Input<double> operator()(double time) const {
         return input_of<double>(time, powered_, windy_, [&](Control control) { return signal(control).at(time); });
     }
 

@@ -3,85 +3,95 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "hamilcar/driver/schedule.hpp"
+#include "hamilcar/engine/lane_numbers.hpp"
+#include "hamilcar/engine/turn_trace.hpp"
 
 namespace hamilcar {
 
-template <class T>
+template <class E>
 class LaneDriver {
 public:
-    static constexpr int lanes = lane_count<T>;
+    explicit LaneDriver(int lanes)
+        : lanes_(static_cast<std::size_t>(lanes)),
+          schedules_(lanes_),
+          pieces_(control_count * lanes_),
+          inputs_(TurnInput::size * lanes_) {}
 
     void set_schedule(int lane, const Schedule& schedule) {
         schedules_[static_cast<std::size_t>(lane)] = &schedule;
         begin_ = 1, end_ = 0;  // nothing is in force
     }
-
     void copy_schedule(int from, int to) { set_schedule(to, *schedules_[static_cast<std::size_t>(from)]); }
 
-    // All lanes at one time [s].
-    Input<T> operator()(double time) {
+    // The TurnInput of all lanes at one time [s].
+    const LaneNumbers<E>& operator()(double time) {
         if (!(begin_ <= time && time < end_)) fetch(time);
-        if (!constant_) return evaluate(time);
-        constants_.time = time;
-        return constants_;
+        for (std::size_t control = 0; control < control_count; ++control) {
+            if (!constant_[control]) evaluate(control, time);
+        }
+        return inputs_;
     }
 
 private:
-    using Number = Element<T>;
-
     // A time in two parts, so that single precision does not wear out during a long run.
     struct Parts {
-        Number high, low;
+        E high, low;
         explicit Parts(double time)
-            : high(static_cast<Number>(time)), low(static_cast<Number>(time - static_cast<double>(high))) {}
+            : high(static_cast<E>(time)), low(static_cast<E>(time - static_cast<double>(high))) {}
+    };
+    struct Piece {
+        SignalPiece<E> piece;
+        E start_high, start_low;  // [s]
     };
 
-    struct Pieces {
-        SignalPiece<T> piece;
-        T start_high, start_low;  // [s]
-        SignalValue<T> at(double time) const {
-            const Parts t(time);
-            return piece.at((T(t.high) - start_high) + (T(t.low) - start_low));
+    // Of the rack also its rates.
+    static constexpr std::array<int, control_count> first_input{
+        TurnInput::rack,   TurnInput::drive_torque, TurnInput::brake,  TurnInput::throttle,
+        TurnInput::clutch, TurnInput::gear,         TurnInput::wind_x, TurnInput::wind_y};
+
+    void evaluate(std::size_t control, double time) {
+        const Parts t(time);
+        const Piece* piece = &pieces_[control * lanes_];
+        E* to = inputs_.data() + static_cast<std::size_t>(first_input[control]) * lanes_;
+        for (std::size_t i = 0; i < lanes_; ++i) {
+            const SignalValue<E> value =
+                piece[i].piece.at((t.high - piece[i].start_high) + (t.low - piece[i].start_low));
+            to[i] = value.value;
+            if (control == static_cast<std::size_t>(Control::rack)) {
+                to[lanes_ + i] = value.rate, to[2 * lanes_ + i] = value.acceleration;
+            }
         }
-    };
-
-    Input<T> evaluate(double time) const {
-        return input_of<T>(time, powered_, windy_,
-                           [&](Control control) { return pieces_[static_cast<std::size_t>(control)].at(time); });
     }
 
     void fetch(double time) {
-        constant_ = true, powered_ = windy_ = false;
         begin_ = -std::numeric_limits<double>::infinity(), end_ = -begin_;
-        for (const Schedule* schedule : schedules_) {
-            powered_ = powered_ || schedule->powered();
-            windy_ = windy_ || schedule->windy();
+        for (std::size_t control = 0; control < control_count; ++control) {
+            constant_[control] = true;
+            for (std::size_t i = 0; i < lanes_; ++i) fetch(control, i, time);
+            evaluate(control, time);
         }
-        for (std::size_t i = 0; i < control_count; ++i) fetch(pieces_[i], time, static_cast<Control>(i));
-        constants_ = evaluate(time);
     }
-    void fetch(Pieces& to, double time, Control control) {
-        for (int i = 0; i < lanes; ++i) {
-            const Signal::Span& span = schedules_[static_cast<std::size_t>(i)]->signal(control).piece_at(time);
-            begin_ = std::max(begin_, span.begin), end_ = std::min(end_, span.end);
-            constant_ = constant_ && span.piece.inverse_duration == 0;
-            const Parts start(span.start());
-            set_lane(to.start_high, i, start.high), set_lane(to.start_low, i, start.low);
-            const auto set = [i](T& number, double value) { set_lane(number, i, static_cast<Number>(value)); };
-            set(to.piece.inverse_duration, span.piece.inverse_duration);
-            set(to.piece.y0, span.piece.y0), set(to.piece.a, span.piece.a);
-            set(to.piece.b, span.piece.b), set(to.piece.c, span.piece.c);
-        }
+    void fetch(std::size_t control, std::size_t lane, double time) {
+        const Signal::Span& span = schedules_[lane]->signal(static_cast<Control>(control)).piece_at(time);
+        begin_ = std::max(begin_, span.begin), end_ = std::min(end_, span.end);
+        constant_[control] = constant_[control] && span.piece.inverse_duration == 0;
+        const Parts start(span.start());
+        const auto number = [](double value) { return static_cast<E>(value); };
+        pieces_[control * lanes_ + lane] = {{number(span.piece.inverse_duration), number(span.piece.y0),
+                                             number(span.piece.a), number(span.piece.b), number(span.piece.c)},
+                                            start.high,
+                                            start.low};
     }
 
-    std::array<const Schedule*, static_cast<std::size_t>(lanes)> schedules_{};
-    std::array<Pieces, control_count> pieces_;
+    std::size_t lanes_;
+    std::vector<const Schedule*> schedules_;
+    std::vector<Piece> pieces_;                   // control by control
+    std::array<bool, control_count> constant_{};  // in all lanes, between these times
     double begin_ = 1, end_ = 0;
-    bool constant_ = false;                 // in all lanes, between these times
-    bool powered_ = false, windy_ = false;  // in any lane
-    Input<T> constants_;
+    LaneNumbers<E> inputs_;
 };
 
 }  // namespace hamilcar

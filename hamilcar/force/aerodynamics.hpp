@@ -39,7 +39,7 @@ struct Aerodynamics {
         T power;            // of the wrench on the moving chassis [W]
     };
     // `hub`: the chassis's motion; `wind`: the air's velocity, chassis axes [m/s].
-    HAMILCAR_CORE Output evaluate(const Spatial<T>& hub, const Vec3<T>& wind) const {
+    Output evaluate(const Spatial<T>& hub, const Vec3<T>& wind) const {
         const Vec3<T> v = velocity_at<T>(hub, center);
         const Vec3<T> flow = v - wind;
         const T speed = sqrt(flow.squaredNorm());

@@ -18,7 +18,7 @@ struct Spring {
         return std::tuple(&Spring::rate, &Spring::force_at_design, &Spring::design_length);
     }
 
-    HAMILCAR_CORE T force(const T& length) const { return force_at_design + rate * (design_length - length); }
+    T force(const T& length) const { return force_at_design + rate * (design_length - length); }
     // Energy relative to the design length [J].
     T potential(const T& length) const {
         const T compressed = design_length - length;
@@ -57,7 +57,7 @@ struct Damper {
     }
 
     // Force at a rate of extension [m/s].
-    HAMILCAR_CORE T force(const T& rate) const {
+    T force(const T& rate) const {
         T resisting = force_at_first + slope_below * min(rate - first, T(0)) + slope_above * max(rate - last, T(0));
         for (int i = 0; i < segments; ++i) resisting += slope[i] * (clamp(rate, start[i], end[i]) - start[i]);
         return -resisting;
@@ -70,7 +70,7 @@ struct Stop {
     T gap, rate, progression;
     static constexpr auto members() { return std::tuple(&Stop::gap, &Stop::rate, &Stop::progression); }
 
-    HAMILCAR_CORE T force(const T& travel) const {
+    T force(const T& travel) const {
         const T x = max(travel - gap, T(0));
         return -x * (rate + progression * x);
     }

@@ -2,6 +2,7 @@
 // each. Hunt and Crossley's damping grows with the depth, so a touch begins without a jump.
 #pragma once
 
+#include <array>
 #include <tuple>
 #include <vector>
 
@@ -40,7 +41,7 @@ struct Hull {
 
     // Whether the box around the points does, or nearly: all that an upright car pays for. The margin is beyond round-off,
     // so that a car whose box does not reach has no point that would.
-    HAMILCAR_CORE auto reaches(const RoadPlane<T>& road) const {
+    auto reaches(const RoadPlane<T>& road) const {
         const Vec3<T>& n = road.normal;
         const T reach = abs(n[0]) * half[0] + abs(n[1]) * half[1] + abs(n[2]) * half[2];
         return n.dot(center) - reach < road.offset + T(1e-3);
@@ -52,10 +53,15 @@ struct Hull {
     };
 
     // All points together, for the chassis moving with v_1; `rise` is the plane's own rate along its normal [m/s].
-    HAMILCAR_CORE Contact contact(const RoadPlane<T>& road, const Spatial<T>& hub, const T& rise = T(0)) const {
-        if (any(reaches(road))) [[unlikely]]
-            return pressed(road, hub, rise);
-        return {Spatial<T>::Zero(), T(0)};
+    Contact contact(const RoadPlane<T>& road, const Spatial<T>& hub, const T& rise = T(0)) const {
+        std::array<T, 7> untouched;
+        untouched.fill(T(0));
+        const std::array<T, 7> sum = unless(
+            reaches(road), [&] { return untouched; }, [&] { return pressed(road, hub, rise); });
+        Contact out;
+        for (std::size_t i = 0; i < 6; ++i) out.wrench[static_cast<Eigen::Index>(i)] = sum[i];
+        out.lost_power = sum[6];
+        return out;
     }
 
     T potential(const RoadPlane<T>& road) const {
@@ -68,8 +74,8 @@ struct Hull {
     }
 
 private:
-    // Out of line and by value: a car on its wheels keeps its numbers in registers.
-    [[gnu::noinline, gnu::pure]] Contact pressed(RoadPlane<T> road, Spatial<T> hub, T rise) const {
+    // The wrench and the lost power.
+    std::array<T, 7> pressed(const RoadPlane<T>& road, const Spatial<T>& hub, const T& rise) const {
         Contact sum{Spatial<T>::Zero(), T(0)};
         for (const Vec3<T>& point : points) {
             const T pressed = depth(road, point);
@@ -83,7 +89,10 @@ private:
             sum.wrench += force_at<T>(point, force);
             sum.lost_power += force.dot(v) - elastic * rising;
         }
-        return sum;
+        std::array<T, 7> out;
+        for (std::size_t i = 0; i < 6; ++i) out[i] = sum.wrench[static_cast<Eigen::Index>(i)];
+        out[6] = sum.lost_power;
+        return out;
     }
 };
 

@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "hamilcar/integrator/methods.hpp"
-#include "hamilcar/scalar/scalar.hpp"
+#include "hamilcar/math/arrays.hpp"
 
 namespace hamilcar {
 
@@ -19,8 +19,11 @@ namespace hamilcar {
 template <class State>
 class Integrator {
 public:
-    Integrator(const Method& method, double step, int size, double tolerance = 1e-8)
+    // `zero`: a state as large as any, where states come in several sizes.
+    Integrator(const Method& method, double step, int size, double tolerance = 1e-8, const State& zero = {})
         : method_(method), step_(step), size_(size), tolerance_(tolerance) {
+        work_.fill(zero);
+        for (int j = 0; j < method.order; ++j) memory_.past[static_cast<std::size_t>(j)] = zero;
         memory_.remembered = memory_.newest = 0;
         memory_.substep = step, memory_.converged = true;
     }
@@ -49,11 +52,10 @@ public:
         memory_.substep = from.substep, memory_.converged = from.converged;
         copy_past(from, memory_);
     }
-    // In lanes: what lane `from` remembers, also in lane `to`.
-    void copy_lane(int from, int to) {
-        for (State& past : memory_.past) {
-            for (T& number : past.values) set_lane(number, to, lane(number, from));
-        }
+    // Calls f with every rate that is remembered.
+    template <class F>
+    void change_past(F&& f) {
+        for (int j = 0; j < method_.order; ++j) f(memory_.past[static_cast<std::size_t>(j)]);
     }
 
     // y(t) -> y(t + step), to another place or to the same.
@@ -63,10 +65,7 @@ public:
             case MethodFamily::adams_bashforth: return advance_adams(f, t, from, to, false);
             case MethodFamily::adams_bashforth_moulton: return advance_adams(f, t, from, to, true);
             case MethodFamily::runge_kutta: return advance_runge_kutta(classical_runge_kutta, f, t, step_, from, to);
-            case MethodFamily::embedded_runge_kutta:
-                // Lanes share their steps, an error estimate does not.
-                if constexpr (lane_count<T> == 1) return advance_adaptive(f, t, from, to);
-                memory_.converged = false;
+            case MethodFamily::embedded_runge_kutta: return advance_adaptive(f, t, from, to);
         }
     }
     template <class F>
@@ -98,37 +97,19 @@ private:
         f(t + step_, predicted, work_[0]);
         const AdamsRow& a = adams_moulton[method_.order - 1];
         add_past(a, 1, from, to);
-        const T weight(step_ * a[0]);
-        for (int i = 0; i < size_; ++i) to.values[i] += weight * work_[0].values[i];
+        add_scaled(T(step_ * a[0]), work_[0].values.data(), to.values.data(), size_);
     }
 
     // to = from + h sum_j row[j + skip] f_{n-j}
     void add_past(const AdamsRow& row, int skip, const State& from, State& to) {
-        switch (method_.order - skip) {
-            case 1: return add_past_of<1>(row, skip, from, to);
-            case 2: return add_past_of<2>(row, skip, from, to);
-            case 3: return add_past_of<3>(row, skip, from, to);
-            case 4: return add_past_of<4>(row, skip, from, to);
-            case 5: return add_past_of<5>(row, skip, from, to);
-            case 6: return add_past_of<6>(row, skip, from, to);
-            default: return add_past_of<max_adams_order>(row, skip, from, to);
-        }
-    }
-    // The number of terms known while compiling, so that numbers are summed several at a time.
-    template <int count>
-    void add_past_of(const AdamsRow& row, int skip, const State& from, State& to) {
-        std::array<const T*, count> rate;
-        std::array<T, count> weight;
+        const int count = method_.order - skip;
+        std::array<const T*, max_adams_order> rate;
+        std::array<T, max_adams_order> weight;
         for (int j = 0; j < count; ++j) {
             rate[j] = memory_.past[(memory_.newest + method_.order - j) % method_.order].values.data();
             weight[j] = T(step_ * row[j + skip]);
         }
-        for (int i = 0; i < size_; ++i) {
-            T sum = weight[0] * rate[0][i];
-#pragma GCC unroll 8
-            for (int j = 1; j < count; ++j) sum += weight[j] * rate[j][i];
-            to.values[i] = from.values[i] + sum;
-        }
+        add_weighted(from.values.data(), rate.data(), weight.data(), count, to.values.data(), size_);
     }
 
     template <class F>
@@ -138,8 +119,7 @@ private:
             copy(y, at);
             for (int j = 0; j < s; ++j) {
                 if (method.stage[s][j] == 0) continue;
-                const T weight(h * method.stage[s][j]);
-                for (int i = 0; i < size_; ++i) at.values[i] += weight * work_[j].values[i];
+                add_scaled(T(h * method.stage[s][j]), work_[j].values.data(), at.values.data(), size_);
             }
             f(t + h * method.nodes[s], at, work_[s]);
         }
@@ -148,8 +128,7 @@ private:
     void add_stages(const std::array<double, max_stages>& weights, int count, double h, State& y) const {
         for (int s = 0; s < count; ++s) {
             if (weights[s] == 0) continue;
-            const T weight(h * weights[s]);
-            for (int i = 0; i < size_; ++i) y.values[i] += weight * work_[s].values[i];
+            add_scaled(T(h * weights[s]), work_[s].values.data(), y.values.data(), size_);
         }
     }
 
@@ -203,7 +182,7 @@ private:
     int size_;
     double tolerance_;
     Memory memory_;
-    std::array<State, max_stages + 1> work_{};
+    std::array<State, max_stages + 1> work_;
 };
 
 }  // namespace hamilcar

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace hamilcar {
@@ -76,7 +77,7 @@ ComposedLinkage<double> tables(const LinkageDescription& d) {
 Eigen::MatrixXd scaled_jacobian(const ComposedLinkage<double>& linkage) {
     const std::vector<double> q(linkage.freedoms.size(), 0.0);
     ComposedPosition<double> at;
-    linkage.find_loops(q.data(), nullptr, RackMotion<double>{}, at);
+    linkage.find_loops(q.data(), q.data(), RackMotion<double>{}, at);
     Eigen::MatrixXd Phi_q(linkage.equations.size(), linkage.freedoms.size());
     for (int e = 0; e < Phi_q.rows(); ++e) {
         for (int k = 0; k < Phi_q.cols(); ++k) {
@@ -111,7 +112,7 @@ std::string loose_part(const LinkageDescription& d, const ComposedLinkage<double
                        const Eigen::MatrixXd& Phi_q, const std::vector<CarriedPoint>& wheels) {
     const std::vector<double> q(linkage.freedoms.size(), 0.0);
     ComposedPosition<double> at;
-    linkage.find_loops(q.data(), nullptr, RackMotion<double>{}, at);
+    linkage.find_loops(q.data(), q.data(), RackMotion<double>{}, at);
     Eigen::MatrixXd held(Phi_q.rows() + static_cast<Eigen::Index>(wheels.size()), Phi_q.cols());
     held.topRows(Phi_q.rows()) = Phi_q;
     for (std::size_t i = 0; i < wheels.size(); ++i) {
@@ -132,6 +133,64 @@ std::string loose_part(const LinkageDescription& d, const ComposedLinkage<double
         if (moves > most + 1e-9) most = moves, loosest = d.joints[part - 1].part;
     }
     return loosest;
+}
+
+// A matrix on its way through an elimination, with where it may be other than zero in any position of the linkage.
+struct Elimination {
+    Eigen::MatrixXd A;
+    Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> filled;
+    std::vector<int> rows, columns;  // that are left
+
+    // Of the pivots within a fifth of the largest the one that fills in least (Markowitz 1957).
+    std::pair<int, int> best() const {
+        double largest = 0;
+        for (const int r : rows) {
+            for (const int c : columns) largest = std::max(largest, std::abs(A(r, c)));
+        }
+        std::pair<int, int> best{rows.front(), columns.front()};
+        long least = std::numeric_limits<long>::max();
+        for (const int r : rows) {
+            for (const int c : columns) {
+                if (!(std::abs(A(r, c)) >= 0.2 * largest)) continue;
+                const auto in_row = std::ranges::count_if(columns, [&](int other) { return filled(r, other); });
+                const auto in_column = std::ranges::count_if(rows, [&](int other) { return filled(other, c); });
+                const long fill = (in_row - 1) * (in_column - 1);
+                if (fill < least) least = fill, best = {r, c};
+            }
+        }
+        return best;
+    }
+    void eliminate(int row, int column) {
+        std::erase(rows, row), std::erase(columns, column);
+        for (const int r : rows) {
+            const double factor = A(row, column) == 0 ? 0 : A(r, column) / A(row, column);
+            for (const int c : columns) {
+                A(r, c) -= factor * A(row, c);
+                filled(r, c) = filled(r, c) || (filled(r, column) && filled(row, c));
+            }
+        }
+    }
+};
+
+// Chosen once, at design, with the zeros that the linkage has: a step exchanges rows only where these pivots do not serve
+// (math/small_solve.hpp).
+void choose_pivots(ComposedLinkage<double>& linkage) {
+    const int n = std::min(linkage.nW(), static_cast<int>(linkage.equations.size()));
+    const Eigen::MatrixXd Phi_q = scaled_jacobian(linkage);
+    Elimination left{Eigen::MatrixXd(n, n), {}, {}, {}};
+    left.filled.resize(n, n);
+    for (int e = 0; e < n; ++e) {
+        for (int i = 0; i < n; ++i) {
+            left.A(e, i) = Phi_q(e, linkage.dependent[static_cast<std::size_t>(i)]);
+            left.filled(e, i) = linkage.sign(e, linkage.dependent[static_cast<std::size_t>(i)]) != 0;
+        }
+        left.rows.push_back(e), left.columns.push_back(e);
+    }
+    for (int k = 0; k < n; ++k) {
+        const auto [row, column] = left.best();
+        linkage.pivot_equation.push_back(row), linkage.pivot_dependent.push_back(column);
+        left.eliminate(row, column);
+    }
 }
 
 }  // namespace
@@ -180,6 +239,7 @@ ComposedLinkage<double> compose(const LinkageDescription& d) {
             out.dependent.push_back(k);
         }
     }
+    choose_pivots(out);
     return out;
 }
 

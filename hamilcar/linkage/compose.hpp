@@ -29,6 +29,7 @@ ComposedLinkage<T> compose_for(const LinkageDescription& linkage) {
                 {e.plane, e.part, e.base, as<T>(e.tip), as<T>(e.foot), as<T>(e.axis), as<T>(e.drive), T(e.length)});
         }
         out.independent = one.independent, out.dependent = one.dependent, out.path = one.path;
+        out.pivot_equation = one.pivot_equation, out.pivot_dependent = one.pivot_dependent;
         return out;
     }
 }

@@ -68,7 +68,7 @@ struct ComposedPosition {
     std::array<Spatial<T>, max_equations> wrench;            // (g ; P x g)
     std::array<T, max_equations> Phi, closing;               // (25); -Phi_w^-1 Phi
     Matrix<T, max_equations, max_equations> Phi_w_inverse;
-    T determinant;                                                    // of Phi_w
+    T determinant;                                                    // of Phi_w in the order of its pivots
     std::array<std::array<T, max_freedoms>, max_coordinates> follow;  // Y: of every coordinate per independent one
     std::array<T, max_coordinates> creep;                             // X of every coordinate  // (39)
     FrameMotions<T> motion;
@@ -110,9 +110,12 @@ struct ComposedLinkage {
     std::vector<LoopEquation<T>> equations;
     std::vector<int> independent, dependent;  // coordinates
     std::vector<int> path;                    // of every frame: bit k set if coordinate k carries it
+    // The order in which Phi_w is eliminated: an equation and, as its pivot's column, a place among the dependent ones.
+    std::vector<int> pivot_equation, pivot_dependent;
     static constexpr auto members() {
         using L = ComposedLinkage;
-        return std::tuple(&L::freedoms, &L::equations, &L::independent, &L::dependent, &L::path);
+        return std::tuple(&L::freedoms, &L::equations, &L::independent, &L::dependent, &L::path, &L::pivot_equation,
+                          &L::pivot_dependent);
     }
     int nq() const { return static_cast<int>(freedoms.size()); }
     int nV() const { return static_cast<int>(independent.size()); }
@@ -123,6 +126,8 @@ struct ComposedLinkage {
         place(V, W, out);
         evaluate_loops(rack, out);
     }
+    // 1 where the coordinate carries the equation's part alone, -1 where its base alone.
+    int sign(int e, int k) const { return ((path[equations[e].part] >> k) & 1) - ((path[equations[e].base] >> k) & 1); }
     // Of Phi_q.  // (26), A.3
     T entry(const ComposedPosition<T>& at, int e, int k) const {
         const int s = sign(e, k);
@@ -269,9 +274,6 @@ private:
         }
     }
 
-    // 1 where the coordinate carries the equation's part alone, -1 where its base alone.
-    int sign(int e, int k) const { return ((path[equations[e].part] >> k) & 1) - ((path[equations[e].base] >> k) & 1); }
-
     T solved(const ComposedPosition<T>& at, int i, const std::array<T, max_equations>& right) const {
         T sum(0);
         for (int e = 0; e < nW(); ++e) sum += at.Phi_w_inverse(i, e) * right[e];
@@ -279,10 +281,18 @@ private:
     }
 
     void eliminate(const RackMotion<T>& rack, const T& alpha, ComposedPosition<T>& out) const {
-        for (int e = 0; e < nW(); ++e) {
-            for (int i = 0; i < nW(); ++i) out.Phi_w_inverse(e, i) = entry(out, e, dependent[i]);
+        Matrix<T, max_equations, max_equations> ordered;
+        for (int r = 0; r < nW(); ++r) {
+            for (int c = 0; c < nW(); ++c) {
+                ordered(r, c) = entry(out, pivot_equation[r], dependent[pivot_dependent[c]]);
+            }
         }
-        out.determinant = invert_in_place<T, max_equations>(out.Phi_w_inverse, nW());
+        out.determinant = invert_in_place<T, max_equations>(ordered, nW());
+        for (int r = 0; r < nW(); ++r) {
+            for (int c = 0; c < nW(); ++c) {
+                out.Phi_w_inverse(pivot_dependent[c], pivot_equation[r]) = ordered(c, r);
+            }
+        }
         for (int j = 0; j < nV(); ++j) {
             std::array<T, max_equations> Phi_v;
             for (int e = 0; e < nW(); ++e) Phi_v[e] = entry(out, e, independent[j]);

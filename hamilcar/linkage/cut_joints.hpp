@@ -28,16 +28,14 @@ struct RevoluteSpherical {
     }
 
     template <class Phi, class Gradients>
-    HAMILCAR_CORE void evaluate(const Vec3<T>& P, const T&, Phi phi, Gradients g) const {
+    void evaluate(const Vec3<T>& P, const T&, Phi phi, Gradients g) const {
         const Vec3<T> d = P - foot;  // (22)
         phi[0] = axis.dot(d);        // (21)
         phi[1] = d.squaredNorm() - length * length;
         g.col(0) = axis;
         g.col(1) = T(2) * d;
     }
-    HAMILCAR_CORE std::tuple<Zero, Vec3<T>> gradient_rates(const Vec3<T>& P_rate, const T&) const {
-        return {Zero{}, T(2) * P_rate};
-    }
+    std::tuple<Zero, Vec3<T>> gradient_rates(const Vec3<T>& P_rate, const T&) const { return {Zero{}, T(2) * P_rate}; }
     T opening(const Vec3<T>& P, const T&) const {
         const Vec3<T> d = P - foot;
         const T along = axis.dot(d), across = sqrt(d.squaredNorm()) - length;
@@ -60,12 +58,12 @@ struct Distance {
     }
 
     template <class Phi, class Gradients>
-    HAMILCAR_CORE void evaluate(const Vec3<T>& P, const T& rack, Phi phi, Gradients g) const {
+    void evaluate(const Vec3<T>& P, const T& rack, Phi phi, Gradients g) const {
         const Vec3<T> d = P - end - drive_axis * rack;  // (24)
         phi[0] = d.squaredNorm() - length * length;     // (23)
         g.col(0) = T(2) * d;
     }
-    HAMILCAR_CORE std::tuple<Vec3<T>> gradient_rates(const Vec3<T>& P_rate, const T& rack_rate) const {
+    std::tuple<Vec3<T>> gradient_rates(const Vec3<T>& P_rate, const T& rack_rate) const {
         return {T(2) * (P_rate - drive_axis * rack_rate)};
     }
     T opening(const Vec3<T>& P, const T& rack) const {

@@ -11,12 +11,12 @@ struct Line {
     T length;                // [m]
     Vector<T, nV> gradient;  // dl/dV
     T drift;                 // part of the length's rate that is there at V' = 0 [m/s]
-    HAMILCAR_CORE T rate(const Vector<T, nV>& V_rate) const { return gradient.dot(V_rate) + drift; }
+    T rate(const Vector<T, nV>& V_rate) const { return gradient.dot(V_rate) + drift; }
 };
 
 // A line of force along the unit vector n through the carrier's point p, all in chassis axes.  // (44)
 template <class T, class Position>
-HAMILCAR_CORE auto line_through(const T& length, const Vec3<T>& p, const Vec3<T>& n, const Position& at) {
+auto line_through(const T& length, const Vec3<T>& p, const Vec3<T>& n, const Position& at) {
     constexpr int nV = std::decay_t<decltype(at.J)>::ColsAtCompileTime;
     Line<T, nV> line;
     line.length = length;
@@ -32,7 +32,7 @@ struct PointLine {
     static constexpr auto members() { return std::tuple(&PointLine::chassis_point, &PointLine::carrier_point); }
 
     template <class Position>
-    HAMILCAR_CORE auto operator()(const Position& at, const T*) const {
+    auto operator()(const Position& at, const T*) const {
         const Vec3<T> p = at.pose.point(carrier_point), d = p - chassis_point;
         const T square = d.squaredNorm();
         return line_through<T>(sqrt(square), p, Vec3<T>(d * over_root(T(1), square)), at);
@@ -43,7 +43,7 @@ struct PointLine {
 template <class T, int coordinate>
 struct CoordinateLine {
     template <class Position>
-    HAMILCAR_CORE auto operator()(const Position& at, const T* V) const {
+    auto operator()(const Position& at, const T* V) const {
         constexpr int nV = std::decay_t<decltype(at.J)>::ColsAtCompileTime;
         return Line<T, nV>{V[coordinate], Vector<T, nV>::Unit(coordinate), T(0)};
     }

@@ -65,7 +65,7 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
     static constexpr auto dependent_indices() { return Dependent::index; }
 
     // The point of the first joint: its columns turn about it. A linkage that starts with a translation has no such point.
-    HAMILCAR_CORE Vec3<T> anchor() const {
+    Vec3<T> anchor() const {
         if constexpr (requires { std::get<0>(joints).point; }) {
             return std::get<0>(joints).point;
         } else {
@@ -88,14 +88,13 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
     };
 
     // Everything at given coordinates; X includes the stabilization term alpha Phi.
-    HAMILCAR_CORE Position position(const T* V, const T* W, const RackMotion<T>& rack, const T& alpha) const {
+    Position position(const T* V, const T* W, const RackMotion<T>& rack, const T& alpha) const {
         Position out;
         find_position(V, W, rack, alpha, out);
         return out;
     }
     // The same, written where it is kept.
-    HAMILCAR_CORE void find_position(const T* V, const T* W, const RackMotion<T>& rack, const T& alpha,
-                                     Position& out) const {
+    void find_position(const T* V, const T* W, const RackMotion<T>& rack, const T& alpha, Position& out) const {
         out.pose = place_tree(joints, ChassisFrame<T>{}, coordinates(V, W).data(), anchor(), out.B);
         if constexpr (nW == 0) {
             out.determinant = T(1);
@@ -105,14 +104,14 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
             eliminate(rack, alpha, out);
             out.x = referred<T>(drift(out), anchor());
         }
-        for_each_independent([&](auto index) HAMILCAR_INLINED {
+        for_each_independent([&](auto index) {
             constexpr int j = index;
             out.J.col(j) = referred<T>(column_of_J<j>(out), anchor());
         });
     }
 
     // One Newton step W <- W - Phi_w^-1 Phi on the closed loops.
-    HAMILCAR_CORE void newton_step(const T* V, T* W, const RackMotion<T>& rack) const {
+    void newton_step(const T* V, T* W, const RackMotion<T>& rack) const {
         if constexpr (nW > 0) {
             Position at;
             at.pose = place_tree(joints, ChassisFrame<T>{}, coordinates(V, W).data(), anchor(), at.B);
@@ -122,7 +121,7 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
         }
     }
 
-    HAMILCAR_CORE Rates rates(const Position& at, const Vector<T, nV>& V_rate, const RackMotion<T>& rack) const {
+    Rates rates(const Position& at, const Vector<T, nV>& V_rate, const RackMotion<T>& rack) const {
         Rates out;
         if constexpr (nW > 0) out.W = at.H * V_rate + at.X;  // (38)
         std::array<T, nq> q_rate;
@@ -131,7 +130,7 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
         const auto [v, B_rate] = carry_tree<Outward>(Rest{}, at.B, q_rate.data());
         out.B = B_rate;
         for (std::size_t i = 0; i < out.tips.size(); ++i) out.tips[i] = as_vector<T>(velocity_of(v, at.arms[i]));
-        for_each_independent([&](auto index) HAMILCAR_INLINED {
+        for_each_independent([&](auto index) {
             constexpr int j = index;
             const auto H = [&](int i) { return at.H(i, j); };
             const auto Y =
@@ -148,14 +147,13 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
     }
 
     // Rate of the drift x about the chassis origin, seen from the chassis; only the energy balance asks for it.
-    HAMILCAR_CORE Spatial<T> drift_rate(const Position& at, const Rates& rates, const RackMotion<T>& rack,
-                                        const T& alpha) const {
+    Spatial<T> drift_rate(const Position& at, const Rates& rates, const RackMotion<T>& rack, const T& alpha) const {
         if constexpr (nW == 0) {
             return Spatial<T>::Zero();
         } else {
             const auto y = combined<OutwardDependent>(rates.B, [&](int i) { return at.X[i]; });
             Vector<T, nW> drive_rate = bend(at, rates, drift(at), y, rack) - alpha * (alpha * at.Phi);
-            visit_cuts([&](const auto& cut, int row, std::size_t i) HAMILCAR_INLINED {
+            visit_cuts([&](const auto& cut, int row, std::size_t i) {
                 if constexpr (std::decay_t<decltype(cut)>::driven) {
                     const auto [g_rate] = cut.gradient_rates(rates.tips[i], rack.rate);
                     const Vec3<T> g = at.gradients.col(row);
@@ -169,8 +167,8 @@ struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Depen
 
     // Visits the cut joints in order: visit(cut joint, its first equation, its number).
     template <class Visitor>
-    HAMILCAR_CORE void visit_cuts(Visitor&& visit) const {
-        [&]<std::size_t... i>(std::index_sequence<i...>) HAMILCAR_INLINED {
+    void visit_cuts(Visitor&& visit) const {
+        [&]<std::size_t... i>(std::index_sequence<i...>) {
             [[maybe_unused]] int row = 0;
             ((visit(std::get<i>(cuts), row, i), row += std::tuple_element_t<i, decltype(cuts)>::equations), ...);
         }
@@ -191,14 +189,14 @@ private:
     };
 
     template <class F>
-    HAMILCAR_CORE static void for_each_independent(F&& f) {
-        [&]<int... j>(std::integer_sequence<int, j...>) HAMILCAR_INLINED {
+    static void for_each_independent(F&& f) {
+        [&]<int... j>(std::integer_sequence<int, j...>) {
             (f(std::integral_constant<int, j>{}), ...);
         }
         (std::make_integer_sequence<int, nV>());
     }
 
-    HAMILCAR_CORE static std::array<T, nq> coordinates(const T* V, const T* W) {
+    static std::array<T, nq> coordinates(const T* V, const T* W) {
         std::array<T, nq> q;
         for (int i = 0; i < nV; ++i) q[Independent::index[i]] = V[i];
         for (int i = 0; i < nW; ++i) q[Dependent::index[i]] = W[i];
@@ -207,16 +205,16 @@ private:
 
     // Columns of J and x about the anchor.  // (43)
     template <int j>
-    HAMILCAR_CORE static auto column_of_J(const Position& at) {
+    static auto column_of_J(const Position& at) {
         return sum(std::get<Independent::index[j]>(at.B), combined<Dependent>(at.B, [&](int i) { return at.H(i, j); }));
     }
-    HAMILCAR_CORE static auto drift(const Position& at) {
+    static auto drift(const Position& at) {
         return combined<Dependent>(at.B, [&](int i) { return at.X[i]; });
     }
 
     // Phi, its gradients and the arms they act on.
-    HAMILCAR_CORE void evaluate_cuts(const RackMotion<T>& rack, Position& out) const {
-        visit_cuts([&](const auto& cut, int row, std::size_t i) HAMILCAR_INLINED {
+    void evaluate_cuts(const RackMotion<T>& rack, Position& out) const {
+        visit_cuts([&](const auto& cut, int row, std::size_t i) {
             constexpr int n = std::decay_t<decltype(cut)>::equations;
             const Vec3<T> P = out.pose.point(cut.tip);
             out.arms[i] = P - anchor();
@@ -228,12 +226,12 @@ private:
 
     // The picked columns of Phi_q: g.l + (r x g).e  // (26), A.3
     template <class Picked>
-    HAMILCAR_CORE Matrix<T, nW, Picked::count> Phi_columns(const Position& at) const {
+    Matrix<T, nW, Picked::count> Phi_columns(const Position& at) const {
         Matrix<T, nW, Picked::count> out;
-        visit_cuts([&](const auto& cut, int row, std::size_t i) HAMILCAR_INLINED {
+        visit_cuts([&](const auto& cut, int row, std::size_t i) {
             for (int k = row; k < row + std::decay_t<decltype(cut)>::equations; ++k) {
                 const Vec3<T> g = at.gradients.col(k), moment = at.arms[i].cross(g);
-                [&]<std::size_t... j>(std::index_sequence<j...>) HAMILCAR_INLINED {
+                [&]<std::size_t... j>(std::index_sequence<j...>) {
                     ((out(k, j) = add(dot(g, std::get<Picked::index[j]>(at.B).linear),
                                       dot(moment, std::get<Picked::index[j]>(at.B).angular))),
                      ...);
@@ -244,7 +242,7 @@ private:
         return out;
     }
 
-    HAMILCAR_CORE void eliminate(const RackMotion<T>& rack, const T& alpha, Position& out) const {
+    void eliminate(const RackMotion<T>& rack, const T& alpha, Position& out) const {
         const auto inverted = inverse<T>(Phi_columns<Dependent>(out));
         out.Phi_w_inverse = inverted.matrix;
         out.determinant = inverted.determinant;
@@ -254,9 +252,9 @@ private:
     }
 
     // Phi_t = -g.u rack'; the paper prints the opposite sign.
-    HAMILCAR_CORE Vector<T, nW> driven_rate(const Position& at, const RackMotion<T>& rack) const {
+    Vector<T, nW> driven_rate(const Position& at, const RackMotion<T>& rack) const {
         Vector<T, nW> Phi_t = Vector<T, nW>::Zero();
-        visit_cuts([&](const auto& cut, int row, int) HAMILCAR_INLINED {
+        visit_cuts([&](const auto& cut, int row, int) {
             if constexpr (std::decay_t<decltype(cut)>::driven)
                 Phi_t[row] = -Vec3<T>(at.gradients.col(row)).dot(cut.drive_axis) * rack.rate;  // (28)
         });
@@ -265,15 +263,15 @@ private:
 
     // g'.P_J + g.(omega_J x P' + P_Y) of all equations, for a motion J whose columns alone change at the rate Y.
     template <class J, class Y>
-    HAMILCAR_CORE Vector<T, nW> bend(const Position& at, const Rates& rates, const J& motion, const Y& rate,
-                                     const RackMotion<T>& rack) const {
+    Vector<T, nW> bend(const Position& at, const Rates& rates, const J& motion, const Y& rate,
+                       const RackMotion<T>& rack) const {
         Vector<T, nW> out;
-        visit_cuts([&](const auto& cut, int row, std::size_t i) HAMILCAR_INLINED {
+        visit_cuts([&](const auto& cut, int row, std::size_t i) {
             const Vec3<T>&r = at.arms[i], &P_rate = rates.tips[i];
             const auto P_J = velocity_of(motion, r);
             const auto bent = add(cross(motion.angular, P_rate), velocity_of(rate, r));
             const auto g_rates = cut.gradient_rates(P_rate, rack.rate);
-            [&]<std::size_t... k>(std::index_sequence<k...>) HAMILCAR_INLINED {
+            [&]<std::size_t... k>(std::index_sequence<k...>) {
                 ((out[row + static_cast<int>(k)] = add(dot(Vec3<T>(at.gradients.col(row + static_cast<int>(k))), bent),
                                                        dot(std::get<k>(g_rates), P_J))),
                  ...);

@@ -24,11 +24,11 @@ struct TreeColumns<T, First, Further...> {
 // The carrier's pose; the columns of the chain of joints from `parent` on are written where they are kept, as soon as they
 // are known. q in the order of the joints.
 template <std::size_t I = 0, int first = 0, class T, class Parent, class... Joints, class Columns>
-HAMILCAR_CORE Pose<T> place_tree(const std::tuple<Joints...>& joints, const Parent& parent, const T* q,
-                                 const Vec3<T>& anchor, Columns& columns) {
+Pose<T> place_tree(const std::tuple<Joints...>& joints, const Parent& parent, const T* q, const Vec3<T>& anchor,
+                   Columns& columns) {
     constexpr int count = std::tuple_element_t<I, std::tuple<Joints...>>::coordinates;
     const auto placed = std::get<I>(joints).place(parent, q + first, anchor);
-    [&]<std::size_t... k>(std::index_sequence<k...>) HAMILCAR_INLINED {
+    [&]<std::size_t... k>(std::index_sequence<k...>) {
         ((std::get<static_cast<std::size_t>(first) + k>(columns) = std::get<k>(placed.columns)), ...);
     }
     (std::make_index_sequence<count>());
@@ -62,7 +62,7 @@ struct OutwardOrder {
 
 // The carrier's motion and the rates of the columns in the order outward. A column moves with what carries it.  // (18)
 template <class Outward, int k = 0, class T, class Carrying, class Columns, class... Rates>
-HAMILCAR_CORE auto carry_tree(const Carrying& v, const Columns& B, const T* q_rate, const Rates&... rates) {
+auto carry_tree(const Carrying& v, const Columns& B, const T* q_rate, const Rates&... rates) {
     if constexpr (k == Outward::count) {
         return std::pair(v, std::tuple(rates...));
     } else {
@@ -74,7 +74,7 @@ HAMILCAR_CORE auto carry_tree(const Carrying& v, const Columns& B, const T* q_ra
 
 // sum of the picked motions times f(0), f(1), ...; `index` tells where in the tuple a picked one stands.
 template <class Picked, int k = 0, class Motions, class F>
-HAMILCAR_CORE auto combined(const Motions& motions, const F& f) {
+auto combined(const Motions& motions, const F& f) {
     if constexpr (k == Picked::count) {
         return Rest{};
     } else {

@@ -23,12 +23,11 @@ struct PlacedJoint {
 
 // Unit rotation about axis e through `point`: (p x e ; e).  // A.2
 template <class T>
-HAMILCAR_CORE Turn<T> rotation_about(const ChassisFrame<T>&, const Vec3<T>&, const Vec3<T>& e, const Vec3<T>&) {
+Turn<T> rotation_about(const ChassisFrame<T>&, const Vec3<T>&, const Vec3<T>& e, const Vec3<T>&) {
     return {{}, e};  // the first joint stands on the anchor
 }
 template <class T>
-HAMILCAR_CORE Screw<T> rotation_about(const Pose<T>& parent, const Vec3<T>& point, const Vec3<T>& e,
-                                      const Vec3<T>& anchor) {
+Screw<T> rotation_about(const Pose<T>& parent, const Vec3<T>& point, const Vec3<T>& e, const Vec3<T>& anchor) {
     const Vec3<T> direction = parent.direction(e), p = parent.point(point) - anchor;
     return {p.cross(direction), direction};
 }
@@ -43,7 +42,7 @@ struct Revolute {
     static constexpr auto members() { return std::tuple(&Revolute::point, &Revolute::axis); }
 
     template <class Parent>
-    HAMILCAR_CORE auto place(const Parent& parent, const T* q, const Vec3<T>& anchor) const {
+    auto place(const Parent& parent, const T* q, const Vec3<T>& anchor) const {
         const auto column = rotation_about(parent, point, axis, anchor);  // (14), A.2
         return PlacedJoint<T, std::decay_t<decltype(column)>>{turned(parent, axis_rotation(axis, q[0]), point),
                                                               {column}};  // (3), (4)
@@ -61,7 +60,7 @@ struct Prismatic {
     static constexpr auto members() { return std::tuple(&Prismatic::axis, &Prismatic::reference); }
 
     template <class Parent>
-    HAMILCAR_CORE PlacedJoint<T, Slide<T>> place(const Parent& parent, const T* q, const Vec3<T>&) const {
+    PlacedJoint<T, Slide<T>> place(const Parent& parent, const T* q, const Vec3<T>&) const {
         const Vec3<T> e = parent.direction(axis);
         return {shifted(parent, Vec3<T>(e * (q[0] - reference))), {Slide<T>{e, {}}}};  // (17), A.2
     }
@@ -79,7 +78,7 @@ struct BryantSpherical {
     static constexpr auto members() { return std::tuple(&BryantSpherical::point); }
 
     template <class Parent>
-    HAMILCAR_CORE auto place(const Parent& parent, const T* q, const Vec3<T>& anchor) const {
+    auto place(const Parent& parent, const T* q, const Vec3<T>& anchor) const {
         const BryantAngles<T> angles(Vec3<T>(q[0], q[1], q[2]));
         const Mat3<T> R = bryant_rotation(angles).transpose();  // (6)
         const auto& [s3, c3] = angles.z;

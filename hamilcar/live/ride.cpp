@@ -58,6 +58,7 @@ Ride::Ride(std::uint32_t number, const Wish& wish, const VehicleDescription& veh
       values_(channels_.size()),
       scene_(scene_json(vehicle, simulation_.scenario())),
       frames_(Frame{.values = std::vector<float>(channels_.size())}) {
+    simulation_.prepare();  // here, where there is time for it
     simulation_.save(start_);
     reset();
 }

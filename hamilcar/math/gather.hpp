@@ -90,6 +90,25 @@ void gather_parts(Eigen::Matrix<Wide, rows, columns>& to, const std::array<const
 
 }  // namespace detail
 
+template <class To, class From, class Convert>
+void transcribe(To& to, const From& from, Convert&& convert);
+
+namespace detail {
+
+template <class... To, class From, class Convert>
+void transcribe_alternative(std::variant<To...>& to, const From& from, Convert&& convert) {
+    convert.whole(static_cast<int>(from.index()));
+    [&]<std::size_t... k>(std::index_sequence<k...>) {
+        const auto take = [&]<std::size_t one>(std::integral_constant<std::size_t, one>) {
+            if (from.index() == one) transcribe(to.template emplace<one>(), *std::get_if<one>(&from), convert);
+        };
+        (take(std::integral_constant<std::size_t, k>()), ...);
+    }
+    (std::make_index_sequence<sizeof...(To)>());
+}
+
+}  // namespace detail
+
 // Lane i of `to` becomes `from[i]`. What has no lanes (a count, a design coordinate) is the first one's, a count the
 // largest.
 template <class Wide, class Narrow, std::size_t N>
@@ -103,8 +122,54 @@ void gather(Wide& to, const std::array<const Narrow*, N>& from) {
         for (int i = 0; i < lane_count<Wide>; ++i) {
             set_lane(to, i, static_cast<Element<Wide>>(*from[static_cast<std::size_t>(i)]));
         }
+    } else if constexpr (lane_count<Wide> == static_cast<int>(N) && std::is_same_v<Element<Wide>, Narrow>) {
+        std::array<Narrow, N> numbers;
+        for (std::size_t i = 0; i < N; ++i) numbers[i] = *from[i];
+        to = Wide(numbers);
     } else {
         detail::gather_parts(to, from);
+    }
+}
+
+// The same struct for another number: `convert.number(double)` makes it, in the order of the lists, and `convert.whole(n)` is
+// told each count and choice between; what it returns is taken for a member that is a count. What is a double in both, a design coordinate, is converted too but stays as it is.
+template <class To, class From, class Convert>
+void transcribe(To& to, const From& from, Convert&& convert) {
+    if constexpr (requires { To::members(); }) {
+        std::apply(
+            [&](auto... to_member) {
+                std::apply([&](auto... from_member) { (transcribe(to.*to_member, from.*from_member, convert), ...); },
+                           From::members());
+            },
+            To::members());
+    } else if constexpr (std::is_integral_v<From>) {
+        to = static_cast<To>(convert.whole(static_cast<int>(from)));
+    } else if constexpr (std::is_floating_point_v<From>) {
+        [[maybe_unused]] const auto number = convert.number(from);
+        if constexpr (std::is_floating_point_v<To>) {
+            to = from;
+        } else {
+            to = number;
+        }
+    } else if constexpr (requires { from.index(); }) {
+        detail::transcribe_alternative(to, from, convert);
+    } else if constexpr (requires {
+                             to.resize(from.size());
+                             from.begin();
+                         }) {
+        convert.whole(static_cast<int>(from.size()));
+        to.resize(from.size());
+        for (std::size_t i = 0; i < static_cast<std::size_t>(from.size()); ++i) transcribe(to[i], from[i], convert);
+    } else if constexpr (requires { from.data(); }) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(from.size()); ++i) {
+            transcribe(to.data()[i], from.data()[i], convert);
+        }
+    } else {
+        std::apply(
+            [&](auto&... part) {
+                std::apply([&](const auto&... from_part) { (transcribe(part, from_part, convert), ...); }, from);
+            },
+            to);
     }
 }
 

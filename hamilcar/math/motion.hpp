@@ -13,7 +13,7 @@ namespace hamilcar {
 struct Zero {};
 
 template <class A, class B>
-HAMILCAR_CORE auto add(const A& a, const B& b) {
+auto add(const A& a, const B& b) {
     if constexpr (std::is_same_v<A, Zero>) {
         return b;
     } else if constexpr (std::is_same_v<B, Zero>) {
@@ -23,7 +23,7 @@ HAMILCAR_CORE auto add(const A& a, const B& b) {
     }
 }
 template <class A, class B>
-HAMILCAR_CORE auto cross(const A& a, const B& b) {
+auto cross(const A& a, const B& b) {
     if constexpr (std::is_same_v<A, Zero> || std::is_same_v<B, Zero>) {
         return Zero{};
     } else {
@@ -31,7 +31,7 @@ HAMILCAR_CORE auto cross(const A& a, const B& b) {
     }
 }
 template <class A, class B>
-HAMILCAR_CORE auto dot(const A& a, const B& b) {
+auto dot(const A& a, const B& b) {
     if constexpr (std::is_same_v<A, Zero> || std::is_same_v<B, Zero>) {
         return Zero{};
     } else {
@@ -39,7 +39,7 @@ HAMILCAR_CORE auto dot(const A& a, const B& b) {
     }
 }
 template <class A, class T>
-HAMILCAR_CORE auto times(const A& a, const T& factor) {
+auto times(const A& a, const T& factor) {
     if constexpr (std::is_same_v<A, Zero>) {
         return Zero{};
     } else {
@@ -47,7 +47,7 @@ HAMILCAR_CORE auto times(const A& a, const T& factor) {
     }
 }
 template <class T, class A>
-HAMILCAR_CORE Vec3<T> as_vector(const A& a) {
+Vec3<T> as_vector(const A& a) {
     if constexpr (std::is_same_v<A, Zero>) {
         return Vec3<T>::Zero();
     } else {
@@ -70,20 +70,20 @@ template <class T>
 using Screw = Motion<Vec3<T>, Vec3<T>>;
 
 template <class L1, class A1, class L2, class A2>
-HAMILCAR_CORE auto sum(const Motion<L1, A1>& a, const Motion<L2, A2>& b) {
+auto sum(const Motion<L1, A1>& a, const Motion<L2, A2>& b) {
     const auto linear = add(a.linear, b.linear);
     const auto angular = add(a.angular, b.angular);
     return Motion<std::decay_t<decltype(linear)>, std::decay_t<decltype(angular)>>{linear, angular};
 }
 
 template <class L, class A, class T>
-HAMILCAR_CORE Motion<L, A> scaled(const Motion<L, A>& m, const T& rate) {
+Motion<L, A> scaled(const Motion<L, A>& m, const T& rate) {
     return {times(m.linear, rate), times(m.angular, rate)};
 }
 
 // v x m: the rate of a motion m that v carries along.
 template <class L1, class A1, class L2, class A2>
-HAMILCAR_CORE auto carried(const Motion<L1, A1>& v, const Motion<L2, A2>& m) {
+auto carried(const Motion<L1, A1>& v, const Motion<L2, A2>& m) {
     const auto linear = add(cross(v.angular, m.linear), cross(v.linear, m.angular));
     const auto angular = cross(v.angular, m.angular);
     return Motion<std::decay_t<decltype(linear)>, std::decay_t<decltype(angular)>>{linear, angular};
@@ -91,13 +91,13 @@ HAMILCAR_CORE auto carried(const Motion<L1, A1>& v, const Motion<L2, A2>& m) {
 
 // Velocity that a motion gives to the point p.  // (10)
 template <class L, class A, class T>
-HAMILCAR_CORE auto velocity_of(const Motion<L, A>& m, const Vec3<T>& p) {
+auto velocity_of(const Motion<L, A>& m, const Vec3<T>& p) {
     return add(m.linear, cross(m.angular, p));
 }
 
 // The same motion about the point O from which the present reference point is seen at p_OA.
 template <class T, class L, class A>
-HAMILCAR_CORE Spatial<T> referred(const Motion<L, A>& m, const Vec3<T>& p_OA) {
+Spatial<T> referred(const Motion<L, A>& m, const Vec3<T>& p_OA) {
     return spatial<T>(as_vector<T>(add(m.linear, cross(p_OA, m.angular))), as_vector<T>(m.angular));
 }
 

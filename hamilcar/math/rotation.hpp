@@ -10,13 +10,12 @@ namespace hamilcar {
 template <class T>
 struct BryantAngles {
     SineCosine<T> x, y, z;
-    HAMILCAR_CORE explicit BryantAngles(const Vec3<T>& angles)
-        : x(sincos(angles[0])), y(sincos(angles[1])), z(sincos(angles[2])) {}
+    explicit BryantAngles(const Vec3<T>& angles) : x(sincos(angles[0])), y(sincos(angles[1])), z(sincos(angles[2])) {}
 };
 
 // A = Ax(q1) Ay(q2) Az(q3)  // (1), (2), (5)
 template <class T>
-HAMILCAR_CORE Mat3<T> bryant_rotation(const BryantAngles<T>& q) {
+Mat3<T> bryant_rotation(const BryantAngles<T>& q) {
     const auto& [s1, c1] = q.x;
     const auto& [s2, c2] = q.y;
     const auto& [s3, c3] = q.z;
@@ -36,7 +35,7 @@ Vec3<T> bryant_angles(const Mat3<T>& A) {
 
 // D with omega = D (q1', q2', q3'), omega in the axes the angles start from.  // (9)
 template <class T>
-HAMILCAR_CORE Mat3<T> bryant_rate_matrix(const BryantAngles<T>& q) {
+Mat3<T> bryant_rate_matrix(const BryantAngles<T>& q) {
     const auto& [s1, c1] = q.x;
     const auto& [s2, c2] = q.y;
     Mat3<T> D;
@@ -48,7 +47,7 @@ HAMILCAR_CORE Mat3<T> bryant_rate_matrix(const BryantAngles<T>& q) {
 
 // Rotation by `angle` [rad] about the unit vector `axis`.  // A.1
 template <class T>
-HAMILCAR_CORE Mat3<T> axis_rotation(const Vec3<T>& axis, const T& angle) {
+Mat3<T> axis_rotation(const Vec3<T>& axis, const T& angle) {
     const auto [s, c] = sincos(angle);
     const Vec3<T> su = s * axis, vu = (T(1) - c) * axis;
     const T xy = vu[0] * axis[1], xz = vu[0] * axis[2], yz = vu[1] * axis[2];
@@ -61,7 +60,7 @@ HAMILCAR_CORE Mat3<T> axis_rotation(const Vec3<T>& axis, const T& angle) {
 
 // Orientation of a quaternion (w, x, y, z) of any length: orthonormal also between steps, when the length has drifted.
 template <class T>
-HAMILCAR_CORE Mat3<T> quaternion_rotation(const Vector<T, 4>& q) {
+Mat3<T> quaternion_rotation(const Vector<T, 4>& q) {
     const T scale = T(2) / q.squaredNorm();
     const T w = q[0] * scale, x = q[1] * scale, y = q[2] * scale, z = q[3] * scale;
     const T xx = q[1] * x, yy = q[2] * y, zz = q[3] * z, xy = q[1] * y, xz = q[1] * z, yz = q[2] * z;
@@ -75,7 +74,7 @@ HAMILCAR_CORE Mat3<T> quaternion_rotation(const Vector<T, 4>& q) {
 
 // q' = q (0, omega) / 2, omega in body axes [rad/s].
 template <class T>
-HAMILCAR_CORE Vector<T, 4> quaternion_rate(const Vector<T, 4>& q, const Vec3<T>& omega) {
+Vector<T, 4> quaternion_rate(const Vector<T, 4>& q, const Vec3<T>& omega) {
     const Vec3<T> half = omega * T(0.5);
     return {-(q[1] * half[0] + q[2] * half[1] + q[3] * half[2]),  //
             q[0] * half[0] + q[2] * half[2] - q[3] * half[1],     //

@@ -21,7 +21,7 @@ struct SignalPiece {
     T y0{0}, a{0}, b{0}, c{0};
 
     // At a time after the piece's start [s].
-    HAMILCAR_CORE SignalValue<T> at(const T& time) const {
+    SignalValue<T> at(const T& time) const {
         const T s = time * inverse_duration;
         return {y0 + s * (a + s * (b + s * c)), (a + s * (T(2) * b + s * (T(3) * c))) * inverse_duration,
                 (T(2) * b + T(6) * s * c) * (inverse_duration * inverse_duration)};

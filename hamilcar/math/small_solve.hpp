@@ -1,6 +1,8 @@
 // Small solves without branches, so that doubles, lanes and duals take the same path.
 #pragma once
 
+#include <array>
+
 #include "hamilcar/math/eigen.hpp"
 #include "hamilcar/scalar/scalar.hpp"
 
@@ -14,12 +16,12 @@ struct Inverse {
 };
 
 template <class T>
-HAMILCAR_CORE Inverse<T, 1> inverse(const Matrix<T, 1, 1>& A) {
+Inverse<T, 1> inverse(const Matrix<T, 1, 1>& A) {
     return {Matrix<T, 1, 1>(T(1) / A(0, 0)), A(0, 0)};
 }
 
 template <class T>
-HAMILCAR_CORE Inverse<T, 3> inverse(const Matrix<T, 3, 3>& A) {
+Inverse<T, 3> inverse(const Matrix<T, 3, 3>& A) {
     const Vec3<T> a = A.col(0), b = A.col(1), c = A.col(2);
     const Vec3<T> bc = b.cross(c), ca = c.cross(a), ab = a.cross(b);
     const T determinant = a.dot(bc), scale = T(1) / determinant;
@@ -28,26 +30,19 @@ HAMILCAR_CORE Inverse<T, 3> inverse(const Matrix<T, 3, 3>& A) {
     return {result, determinant};
 }
 
-// Turns the leading n x n block of A into its inverse and returns its determinant, by Gauss and Jordan with partial
-// pivoting. Rows trade places by choices, pair by pair, so that every lane may have its own order.
-template <class T, int most>
-T invert_in_place(Matrix<T, most, most>& A, int n) {
+namespace detail {
+
+// Gauss and Jordan on the leading n x n block of A, which becomes its inverse. Calls exchange(A, B, k) before the k-th pivot is taken
+// from the diagonal. Returns the determinant but for the sign of exchanges.
+template <class T, int most, class Exchange>
+T gauss_jordan(Matrix<T, most, most>& A, int n, Exchange&& exchange) {
     Matrix<T, most, most> B;
     for (int i = 0; i < n; ++i) {
         for (int j = 0; j < n; ++j) B(i, j) = T(i == j ? 1 : 0);
     }
     T determinant(1);
     for (int k = 0; k < n; ++k) {
-        for (int r = k + 1; r < n; ++r) {
-            const auto trade = abs(A(r, k)) > abs(A(k, k));
-            determinant = select(trade, T(-determinant), determinant);
-            for (int j = 0; j < n; ++j) {
-                for (Matrix<T, most, most>* M : {&A, &B}) {
-                    const T upper = (*M)(k, j), lower = (*M)(r, j);
-                    (*M)(k, j) = select(trade, lower, upper), (*M)(r, j) = select(trade, upper, lower);
-                }
-            }
-        }
+        exchange(A, B, k);
         determinant *= A(k, k);
         const T scale = T(1) / A(k, k);
         for (int j = 0; j < n; ++j) A(k, j) *= scale, B(k, j) *= scale;
@@ -61,9 +56,75 @@ T invert_in_place(Matrix<T, most, most>& A, int n) {
     return determinant;
 }
 
+// The largest entry of the column becomes the pivot: rows trade places by choices, pair by pair, so that every lane may have its
+// own order.
+template <class T, int most>
+T gauss_jordan_with_exchange(Matrix<T, most, most>& A, int n) {
+    T sign(1);
+    const T determinant = gauss_jordan<T, most>(A, n, [&](auto& upper_A, auto& upper_B, int k) {
+        for (int r = k + 1; r < n; ++r) {
+            const auto trade = abs(upper_A(r, k)) > abs(upper_A(k, k));
+            sign = select(trade, T(-sign), sign);
+            for (int j = 0; j < n; ++j) {
+                for (Matrix<T, most, most>* M : {&upper_A, &upper_B}) {
+                    const T upper = (*M)(k, j), lower = (*M)(r, j);
+                    (*M)(k, j) = select(trade, lower, upper), (*M)(r, j) = select(trade, upper, lower);
+                }
+            }
+        }
+    });
+    return sign * determinant;
+}
+
+}  // namespace detail
+
+// Turns the leading n x n block of A into its inverse and returns its determinant. Rows and columns stand in an order whose
+// pivots serve nearly always; where one is less than a tenth of what is below it, rows are exchanged.
+template <class T, int most>
+T invert_in_place(Matrix<T, most, most>& A, int n) {
+    constexpr std::size_t size = static_cast<std::size_t>(most) * static_cast<std::size_t>(most) + 1;
+    const auto packed = [&](const Matrix<T, most, most>& M, const T& determinant) {
+        std::array<T, size> out;
+        out.fill(T(0));
+        for (int i = 0; i < n; ++i) {
+            for (int j = 0; j < n; ++j) out[static_cast<std::size_t>(i * most + j)] = M(i, j);
+        }
+        out.back() = determinant;
+        return out;
+    };
+    auto weak = T(1) < T(0);
+    Matrix<T, most, most> ordered = A;
+    const T determinant = detail::gauss_jordan<T, most>(ordered, n, [&](const auto& rest, const auto&, int k) {
+        if (k + 1 == n) return;
+        T largest(0);
+        for (int r = k + 1; r < n; ++r) largest = max(largest, abs(rest(r, k)));
+        weak = weak || abs(rest(k, k)) < T(0.1) * largest;
+    });
+    const std::array<T, size> usual = packed(ordered, determinant);
+    const std::array<T, size> found = unless(
+        weak, [&] { return usual; },
+        [&] {
+            Matrix<T, most, most> exchanged = A;
+            const T its_determinant = detail::gauss_jordan_with_exchange<T, most>(exchanged, n);
+            std::array<T, size> rare = packed(exchanged, its_determinant);
+            for (std::size_t i = 0; i < size; ++i) rare[i] = select(weak, rare[i], usual[i]);
+            return rare;
+        });
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) A(i, j) = found[static_cast<std::size_t>(i * most + j)];
+    }
+    return found.back();
+}
+
+// The inverse of the leading n x n block of a positive definite A, whose pivots may be taken as they come.
+template <class T, int most>
+void invert_positive_definite(Matrix<T, most, most>& A, int n) {
+    detail::gauss_jordan<T, most>(A, n, [](auto&, auto&, int) {});
+}
+
 // The inverse of a symmetric one, of which only the lower triangle is read.
 template <class T>
-HAMILCAR_CORE Mat3<T> symmetric_inverse(const Mat3<T>& A) {
+Mat3<T> symmetric_inverse(const Mat3<T>& A) {
     const T &a = A(0, 0), &b = A(1, 0), &c = A(2, 0), &d = A(1, 1), &e = A(2, 1), &f = A(2, 2);
     const T xx = d * f - e * e, xy = c * e - b * f, xz = b * e - c * d;
     const T scale = T(1) / (a * xx + (b * xy + c * xz));
@@ -78,7 +139,7 @@ HAMILCAR_CORE Mat3<T> symmetric_inverse(const Mat3<T>& A) {
 // Solves K x = b for a symmetric positive definite 6x6 matrix, of which only the lower triangle is read, by blocks of
 // 3x3: two divisions that wait for each other in place of six.
 template <class T>
-HAMILCAR_CORE Vector<T, 6> solve_positive_definite(const Matrix<T, 6, 6>& K, const Vector<T, 6>& b) {
+Vector<T, 6> solve_positive_definite(const Matrix<T, 6, 6>& K, const Vector<T, 6>& b) {
     const Mat3<T> A_inverse = symmetric_inverse<T>(K.template topLeftCorner<3, 3>());
     const Mat3<T> B = K.template bottomLeftCorner<3, 3>(), BA = B * A_inverse;
     const Vec3<T> b_1 = b.template head<3>(), b_2 = b.template tail<3>();

@@ -15,41 +15,41 @@ template <class T>
 using Spatial = Vector<T, 6>;
 
 template <class T>
-HAMILCAR_CORE Spatial<T> spatial(const Vec3<T>& linear, const Vec3<T>& angular) {
+Spatial<T> spatial(const Vec3<T>& linear, const Vec3<T>& angular) {
     Spatial<T> s;
     for (int i = 0; i < 3; ++i) s[i] = linear[i], s[i + 3] = angular[i];
     return s;
 }
 
 template <class Derived>
-HAMILCAR_CORE auto linear(const Eigen::MatrixBase<Derived>& s) {
+auto linear(const Eigen::MatrixBase<Derived>& s) {
     return s.template head<3>();
 }
 template <class Derived>
-HAMILCAR_CORE auto angular(const Eigen::MatrixBase<Derived>& s) {
+auto angular(const Eigen::MatrixBase<Derived>& s) {
     return s.template tail<3>();
 }
 
 template <class Derived>
-HAMILCAR_CORE auto angular(Eigen::MatrixBase<Derived>& s) {
+auto angular(Eigen::MatrixBase<Derived>& s) {
     return s.template tail<3>();
 }
 
 // Force f at point p: (f ; p x f).  // (55)
 template <class T>
-HAMILCAR_CORE Spatial<T> force_at(const Vec3<T>& p, const Vec3<T>& f) {
+Spatial<T> force_at(const Vec3<T>& p, const Vec3<T>& f) {
     return spatial<T>(f, p.cross(f));
 }
 
 // Velocity that motion v gives to the point p.  // (10)
 template <class T>
-HAMILCAR_CORE Vec3<T> velocity_at(const Spatial<T>& v, const Vec3<T>& p) {
+Vec3<T> velocity_at(const Spatial<T>& v, const Vec3<T>& p) {
     return linear(v) + angular(v).cross(p);
 }
 
 // v x* f: rate of a force f carried along by v; its transpose relation is f.(v x m) = -(v x* f).m.
 template <class T>
-HAMILCAR_CORE Spatial<T> cross_force(const Spatial<T>& v, const Spatial<T>& f) {
+Spatial<T> cross_force(const Spatial<T>& v, const Spatial<T>& f) {
     return spatial<T>(angular(v).cross(linear(f)), linear(v).cross(linear(f)) + angular(v).cross(angular(f)));
 }
 
@@ -62,12 +62,12 @@ struct Symmetric3 {
         return std::tuple(&S::xx, &S::yy, &S::zz, &S::xy, &S::yz, &S::xz);
     }
 
-    HAMILCAR_CORE Vec3<T> operator*(const Vec3<T>& v) const {
+    Vec3<T> operator*(const Vec3<T>& v) const {
         return {xx * v[0] + xy * v[1] + xz * v[2], xy * v[0] + yy * v[1] + yz * v[2],
                 xz * v[0] + yz * v[1] + zz * v[2]};
     }
     // R S R^T
-    HAMILCAR_CORE Symmetric3 rotated(const Mat3<T>& R) const {
+    Symmetric3 rotated(const Mat3<T>& R) const {
         Mat3<T> RS;
         for (int i = 0; i < 3; ++i) {
             RS(i, 0) = R(i, 0) * xx + R(i, 1) * xy + R(i, 2) * xz;
@@ -99,7 +99,7 @@ struct SpatialInertia {
     }
 
     // Body with center of mass c and inertia J about it, both already in the axes of O.
-    HAMILCAR_CORE static SpatialInertia about_origin(const T& mass, const Vec3<T>& c, const Symmetric3<T>& J) {
+    static SpatialInertia about_origin(const T& mass, const Vec3<T>& c, const Symmetric3<T>& J) {
         const Vec3<T> mc = mass * c;
         const T mxx = mc[0] * c[0], myy = mc[1] * c[1], mzz = mc[2] * c[2];
         return {mass,
@@ -108,13 +108,13 @@ struct SpatialInertia {
                  J.xy - mc[0] * c[1], J.yz - mc[1] * c[2], J.xz - mc[0] * c[2]}};
     }
 
-    HAMILCAR_CORE Spatial<T> operator*(const Spatial<T>& v) const {
+    Spatial<T> operator*(const Spatial<T>& v) const {
         const Vec3<T> w = angular(v), l = linear(v);
         return spatial<T>(mass * l + w.cross(moment), inertia * w + moment.cross(l));
     }
 
     // Adds the lower triangle of the 6x6 matrix form to K.
-    HAMILCAR_CORE void add_to_lower(Matrix<T, 6, 6>& K) const {
+    void add_to_lower(Matrix<T, 6, 6>& K) const {
         for (int i = 0; i < 3; ++i) K(i, i) += mass;
         K(3, 1) -= moment[2], K(3, 2) += moment[1];
         K(4, 0) += moment[2], K(4, 2) -= moment[0];

@@ -15,7 +15,7 @@
 
 namespace hamilcar {
 
-// What the ground is evaluated in: the number of a lane, and never in single precision, which 300 m from the origin would
+// What the ground is evaluated in: the number itself, and never in single precision, which 300 m from the origin would
 // know a height over ground to no better than 0.03 mm.
 template <class T>
 using RoadNumber = std::conditional_t<std::is_same_v<Element<T>, float>, double, Element<T>>;
@@ -93,21 +93,19 @@ FittedPlane<E> fit_plane(const Surface& surface, const Vec3<E>& base, const E& b
     return out;
 }
 
-// A unit of a car above its surface, lane by lane.
+// A unit of a car above an uneven surface.
 template <class E>
 struct UnevenGround {
-    static constexpr std::size_t most_lanes = 16;
-    struct Lane {
-        const Surface* surface;  // null: this lane's road is its plane
-        Vec3<E> base;            // normal of the plane, ground axes
-        E friction;              // factor of the plane
-        Vec3<E> position;        // of the unit's origin
-        Mat3<E> R;               // to ground axes
-        double time;             // [s]
-    };
-    std::array<Lane, most_lanes> lanes;
-    int count;
+    const Surface* surface;
+    Vec3<E> base;      // normal of the plane, ground axes
+    E friction;        // factor of the plane
+    Vec3<E> position;  // of the unit's origin
+    Mat3<E> R;         // to ground axes
+    double time;       // [s]
     UnevenGround() {}
+    UnevenGround(const Surface* below, const Vec3<E>& normal, const E& factor, const Vec3<E>& origin,
+                 const Mat3<E>& turn, double now)
+        : surface(below), base(normal), friction(factor), position(origin), R(turn), time(now) {}
 };
 
 // What a tire is told of the ground.
@@ -117,57 +115,40 @@ struct WheelRoad {
     T rise;  // of the plane, along its normal, under the wheel's lowest point [m/s]
 };
 
-namespace detail {
-
-template <class T, class E = RoadNumber<T>>
-E road_number(const T& number, int lane_) {
-    return static_cast<E>(lane(number, lane_));
+// The plane that fits the surface best under a wheel; chassis axes. `number`: the wheel's.
+template <class T>
+void fit_ground(const UnevenGround<RoadNumber<T>>& uneven, const Vec3<T>& center, const Vec3<T>& axis,
+                const Spatial<T>& motion, const T& radius, const std::array<int, 2>& numbers, WheelRoad<T>& road) {
+    using E = RoadNumber<T>;
+    const Vec3<T> velocity = velocity_at<T>(motion, center), axis_rate = angular(motion).cross(axis);
+    const auto ground = [&](const Vec3<T>& v) -> Vec3<E> {
+        return uneven.R * Vec3<E>(static_cast<E>(v[0]), static_cast<E>(v[1]), static_cast<E>(v[2]));
+    };
+    const FittedPlane<E> found = fit_plane<E>(*uneven.surface, uneven.base, uneven.friction,
+                                              {uneven.position + ground(center), ground(velocity), ground(axis),
+                                               ground(axis_rate), static_cast<E>(radius), numbers[0]},
+                                              uneven.time);
+    const Vec3<E> normal = uneven.R.transpose() * found.normal;
+    for (int i = 0; i < 3; ++i) road.plane.normal[i] = static_cast<T>(normal[i]);
+    road.plane.offset = static_cast<T>(found.offset - found.normal.dot(uneven.position));
+    road.plane.friction = static_cast<T>(found.friction);
+    road.rise = static_cast<T>(found.rise);
 }
-
-}  // namespace detail
 
 // The ground below one unit's wheels.
 template <class T>
 struct GroundBelow {
     RoadPlane<T> plane;
-    const UnevenGround<RoadNumber<T>>* uneven;  // null where all lanes' roads are planes
+    const UnevenGround<RoadNumber<T>>* uneven;  // null where the road is a plane
 
     // Under a wheel with tire radius `radius`, its carrier moving with `motion`; chassis axes. `numbers`: of the wheels that
     // stand abreast in T, the first alone where they do not.
-    HAMILCAR_CORE WheelRoad<T> under(const Vec3<T>& center, const Vec3<T>& axis, const Spatial<T>& motion,
-                                     const T& radius, const std::array<int, 2>& numbers) const {
+    WheelRoad<T> under(const Vec3<T>& center, const Vec3<T>& axis, const Spatial<T>& motion, const T& radius,
+                       const std::array<int, 2>& numbers) const {
         WheelRoad<T> road{plane, T(0)};
         if (uneven) [[unlikely]]
-            fit(center, axis, motion, radius, numbers, road);
+            fit_ground(*uneven, center, axis, motion, radius, numbers, road);
         return road;
-    }
-
-private:
-    [[gnu::noinline]] void fit(const Vec3<T>& center, const Vec3<T>& axis, const Spatial<T>& motion, const T& radius,
-                               const std::array<int, 2>& numbers, WheelRoad<T>& road) const {
-        using E = RoadNumber<T>;
-        const Vec3<T> velocity = velocity_at<T>(motion, center), axis_rate = angular(motion).cross(axis);
-        for (int l = 0; l < lane_count<T>; ++l) {
-            // Lanes are cars, or wheels of one car.
-            const auto& at = uneven->lanes[static_cast<std::size_t>(l * uneven->count / lane_count<T>)];
-            if (!at.surface) continue;
-            const auto ground = [&](const Vec3<T>& v) -> Vec3<E> {
-                return at.R * Vec3<E>(detail::road_number(v[0], l), detail::road_number(v[1], l),
-                                      detail::road_number(v[2], l));
-            };
-            const bool abreast = uneven->count < lane_count<T>;
-            const FittedPlane<E> found =
-                fit_plane<E>(*at.surface, at.base, at.friction,
-                             {at.position + ground(center), ground(velocity), ground(axis), ground(axis_rate),
-                              detail::road_number(radius, l), numbers[abreast ? static_cast<std::size_t>(l) : 0]},
-                             at.time);
-            const Vec3<E> normal = at.R.transpose() * found.normal;
-            const auto put = [l](T& to, const E& value) { set_lane(to, l, static_cast<Element<T>>(value)); };
-            for (int i = 0; i < 3; ++i) put(road.plane.normal[i], normal[i]);
-            put(road.plane.offset, found.offset - found.normal.dot(at.position));
-            put(road.plane.friction, found.friction);
-            put(road.rise, found.rise);
-        }
     }
 };
 

@@ -30,7 +30,7 @@ struct PlaneRoad {
     }
 
     // The plane as seen from a chassis at position r with orientation R_GC.
-    HAMILCAR_CORE RoadPlane<T> seen_from(const Vec3<T>& r, const Mat3<T>& R_GC) const {
+    RoadPlane<T> seen_from(const Vec3<T>& r, const Mat3<T>& R_GC) const {
         return {R_GC.transpose() * normal, -normal.dot(r), friction};
     }
 };

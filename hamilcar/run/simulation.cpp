@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "hamilcar/analysis/loops.hpp"
-#include "hamilcar/engine/library.hpp"
+#include "hamilcar/engine/car_ring.hpp"
 #include "hamilcar/integrator/stabilization.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/math/convert.hpp"
@@ -38,7 +38,7 @@ Model<double> make_model(const VehicleDescription& vehicle, const ScenarioDescri
                          const Surface* surface) {
     return {.vehicle = Vehicle<double>(vehicle),
             .road = PlaneRoad<double>(scenario.road.grade, scenario.road.bank, scenario.road.friction),
-            .surface = SurfaceOfLanes<double>(surface),
+            .surface = surface,
             .chart = scenario.solver.chart,
             .constraints = scenario.solver.constraints,
             .stabilization_gain = require_gain(scenario.solver),
@@ -52,7 +52,6 @@ Simulation::Simulation(VehicleDescription vehicle, ScenarioDescription scenario)
       scenario_(std::move(scenario)),
       surface_(make_surface(scenario_.road)),
       model_(make_model(vehicle_, scenario_, surface_.get())),
-      engine_(&best_engine()),
       schedule_(scenario_, vehicle_.steering),
       integrator_(require_method(scenario_.solver), scenario_.solver.step, model_.vehicle.state_size,
                   scenario_.solver.tolerance),
@@ -118,13 +117,19 @@ void Simulation::start_driver() {
     }
 }
 
+void Simulation::prepare() {
+    if (!program_) program_ = turn_program(model_, default_engine());
+}
+
 std::optional<End> Simulation::advance() {
     if (driver_ && step_count_ > 0 && step_count_ % steps_per_decision_ == 0) {
         driver_->act(senses(), schedule_);
         if (driver_->ended()) return std::nullopt;  // the run ends here
     }
     copy_state(state_, model_.vehicle.state_size, last_good_);
-    const Health<double> health = engine_->advance_car(model_, integrator_, schedule_, time(), state_);
+    prepare();
+    const CarRing ring(*program_, surface_.get());
+    const Health<double> health = advance_car(ring, integrator_, schedule_, time(), state_);
     const std::string problem = inspect(health);
     if (problem.empty()) {
         ++step_count_;

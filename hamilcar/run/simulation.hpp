@@ -14,7 +14,7 @@
 #include "hamilcar/driver/driver.hpp"
 #include "hamilcar/driver/schedule.hpp"
 #include "hamilcar/driver/sense.hpp"
-#include "hamilcar/engine/engine.hpp"
+#include "hamilcar/engine/turn_program.hpp"
 
 namespace hamilcar {
 
@@ -65,6 +65,8 @@ public:
     // What the driver could not do, with what was reached.
     std::vector<std::string> complaints() const { return driver_ ? driver_->complaints() : std::vector<std::string>(); }
 
+    // Compiles the step; the first `advance` does so otherwise. For who cannot wait then.
+    void prepare();
     // One step, before which the driver decides if it is time; the reason if the run cannot go on. The state is then the last good one.
     std::optional<End> advance();
 
@@ -103,7 +105,7 @@ private:
     ScenarioDescription scenario_;
     std::shared_ptr<const Surface> surface_;  // the model's; a copy of a Simulation shares it
     Model<double> model_;
-    const Engine* engine_;
+    std::shared_ptr<const TurnProgram> program_;  // of the model; a copy of a Simulation shares it
     Schedule schedule_;
     DrivenCar car_;
     std::optional<Driver> driver_;

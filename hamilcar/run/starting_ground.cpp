@@ -18,7 +18,7 @@ StartingGround starting_ground(const Model<double>& model, const VehicleDescript
     const Vec3<double>& n = model.road.normal;
     const double x = initial.position[0], y = initial.position[1], c = std::cos(initial.yaw), s = std::sin(initial.yaw);
     const double foot = -(n[0] * x + n[1] * y) / n[2];
-    const Surface* surface = model.surface.lanes[0];
+    const Surface* surface = model.surface;
     if (!surface) return {n, foot};
     Mat3<double> A = Mat3<double>::Zero();
     Vec3<double> b = Vec3<double>::Zero();

@@ -9,7 +9,7 @@ namespace hamilcar {
 
 // Calls f with the alternative that `variant` holds; it holds one.
 template <std::size_t I = 0, class Variant, class F>
-HAMILCAR_CORE decltype(auto) dispatch(Variant& variant, F&& f) {
+decltype(auto) dispatch(Variant& variant, F&& f) {
     if constexpr (I + 1 == std::variant_size_v<std::remove_const_t<Variant>>) {
         return f(*std::get_if<I>(&variant));
     } else {

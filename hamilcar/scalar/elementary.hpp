@@ -42,11 +42,11 @@ struct ElementaryConstants<float> {
 };
 
 template <class T>
-using ElementaryOf = ElementaryConstants<std::conditional_t<std::is_same_v<Element<T>, float>, float, double>>;
+using ElementaryOf = ElementaryConstants<Real<T>>;
 
 // The same polynomial as two of half the length, which run side by side.
 template <class T, class Coefficient, std::size_t n>
-HAMILCAR_CORE T split_polynomial(const Coefficient (&c)[n], const T& z) {
+T split_polynomial(const Coefficient (&c)[n], const T& z) {
     constexpr std::size_t last_even = (n - 1) / 2 * 2, last_odd = n / 2 * 2 - 1;
     const T zz = z * z;
     T even(c[last_even]), odd(c[last_odd]);
@@ -61,7 +61,7 @@ struct TurnedArctangent {
     T above, below, turned;
 
     TurnedArctangent() = default;
-    HAMILCAR_CORE TurnedArctangent(const T& size, const T& x) {
+    TurnedArctangent(const T& size, const T& x) {
         using C = ElementaryOf<T>;
         const auto steep = size > T(2.41421356237309504880) * x, slanted = size > T(0.41421356237309504880) * x;
         above = select(steep, T(-x), select(slanted, T(size - x), size));
@@ -69,7 +69,7 @@ struct TurnedArctangent {
         turned = select(steep, T(C::half_pi), select(slanted, T(C::half_pi / 2), T(0)));
     }
     // `t`: the quotient; the sign is y's.
-    HAMILCAR_CORE T angle(const T& y, const T& t) const {
+    T angle(const T& y, const T& t) const {
         const T z = t * t;
         const T size = turned + (t - t * z * split_polynomial(ElementaryOf<T>::arctangent, z));
         return select(y < T(0), T(-size), size);
@@ -81,7 +81,7 @@ struct TurnedArctangent {
 // 1 / x of several numbers by one quotient, which takes as long as some ten products and keeps the others waiting. Their
 // product must neither vanish nor overflow.
 template <class T, std::size_t n>
-HAMILCAR_CORE std::array<T, n> reciprocals(const std::array<T, n>& x) {
+std::array<T, n> reciprocals(const std::array<T, n>& x) {
     std::array<T, n> product{x[0]}, out;
     for (std::size_t i = 1; i < n; ++i) product[i] = product[i - 1] * x[i];
     T rest = T(1) / product[n - 1];
@@ -93,13 +93,13 @@ HAMILCAR_CORE std::array<T, n> reciprocals(const std::array<T, n>& x) {
 // Of y / x for x > 0, between -pi/2 and pi/2 [rad]: with one quotient in all. Beyond tan(pi/8) the argument is turned back by
 // an eighth or a quarter of a turn.
 template <class T>
-HAMILCAR_CORE T arctangent(const T& y, const T& x) {
+T arctangent(const T& y, const T& x) {
     const detail::TurnedArctangent<T> turned(abs(y), x);
     return turned.angle(y, T(turned.above / turned.below));
 }
 // Several of them, x from 1 on, by one quotient; beyond 1e8 x as there.
 template <class T, std::size_t n>
-HAMILCAR_CORE std::array<T, n> arctangents(const std::array<T, n>& y, const std::array<T, n>& x) {
+std::array<T, n> arctangents(const std::array<T, n>& y, const std::array<T, n>& x) {
     std::array<detail::TurnedArctangent<T>, n> turned;
     std::array<T, n> below, out;
     for (std::size_t i = 0; i < n; ++i) {
@@ -111,7 +111,7 @@ HAMILCAR_CORE std::array<T, n> arctangents(const std::array<T, n>& y, const std:
     return out;
 }
 template <class T>
-HAMILCAR_CORE T arctangent(const T& x) {
+T arctangent(const T& x) {
     return arctangent(x, T(1));
 }
 
@@ -119,7 +119,7 @@ namespace detail {
 
 // sin(r) of |r| <= pi/2, with the sign changed where `half_turns` is odd.
 template <class T>
-HAMILCAR_CORE T sine_of_half_turn(const T& r, const T& half_turns) {
+T sine_of_half_turn(const T& r, const T& half_turns) {
     using C = ElementaryOf<T>;
     const T big(C::round), z = r * r;
     const T value = r + r * z * split_polynomial(C::sine, z);
@@ -131,7 +131,7 @@ HAMILCAR_CORE T sine_of_half_turn(const T& r, const T& half_turns) {
 
 // Sine alone, of an angle [rad]: one polynomial, where sincos needs two.
 template <class T>
-HAMILCAR_CORE T sine(const T& angle) {
+T sine(const T& angle) {
     using C = detail::ElementaryOf<T>;
     const T big(C::round);
     const T n = (angle * T(C::inverse_pi) + big) - big;
@@ -140,7 +140,7 @@ HAMILCAR_CORE T sine(const T& angle) {
 
 // Cosine alone. Even, so that the quarter of a turn is taken off the angle's size: cos(x) = sin(pi/2 - |x|).
 template <class T>
-HAMILCAR_CORE T cosine(const T& angle) {
+T cosine(const T& angle) {
     using C = detail::ElementaryOf<T>;
     const T big(C::round), size = abs(angle);
     const T n = (size * T(C::inverse_pi) - T(0.5) + big) - big, quarter = n + T(0.5);  // size = (n + 1/2) pi + r
@@ -150,7 +150,7 @@ HAMILCAR_CORE T cosine(const T& angle) {
 
 // e^x for |x| < 40, beyond as at the end: Pade's quotient of x/8, squared three times.
 template <class T>
-HAMILCAR_CORE T exponential(const T& x) {
+T exponential(const T& x) {
     const T y = clamp(x, T(-40), T(40)) * T(1.0 / 8), z = y * y;
     const T even = T(1) + z * (T(5.0 / 44) + z * (T(1.0 / 792) + z * T(1.0 / 665280)));
     const T odd = y * (T(0.5) + z * (T(1.0 / 66) + z * T(1.0 / 15840)));
@@ -160,7 +160,7 @@ HAMILCAR_CORE T exponential(const T& x) {
 
 // ln x for 1e-4 < x < 1e4: the series of the inverse hyperbolic tangent, of x's sixteenth root.
 template <class T>
-HAMILCAR_CORE T logarithm(const T& x) {
+T logarithm(const T& x) {
     const T root = sqrt(sqrt(sqrt(sqrt(x)))), t = (root - T(1)) / (root + T(1)), z = t * t;
     T sum(1.0 / 17);
     for (int k = 7; k >= 0; --k) sum = sum * z + T(1.0 / (2 * k + 1));

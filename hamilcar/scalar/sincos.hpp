@@ -5,7 +5,7 @@
 // the reduction loses digits gradually (tests/scalar/sincos_test.cpp measures them). The polynomials are those of FreeBSD's msun (k_sin.c, k_cos.c) and, for float, Cephes (sinf.c).
 #pragma once
 
-#include <type_traits>
+#include <array>
 
 #include "hamilcar/scalar/scalar.hpp"
 
@@ -41,7 +41,7 @@ struct SineCosineConstants<float> {
 
 // c[0] + z (c[1] + z (...))
 template <class T, class Coefficient, std::size_t n>
-HAMILCAR_CORE T polynomial(const Coefficient (&c)[n], const T& z) {
+T polynomial(const Coefficient (&c)[n], const T& z) {
     T sum(c[n - 1]);
     for (std::size_t i = n - 1; i-- > 0;) sum = sum * z + T(c[i]);
     return sum;
@@ -51,16 +51,16 @@ HAMILCAR_CORE T polynomial(const Coefficient (&c)[n], const T& z) {
 
 // Of angles within [-pi/4, pi/4].
 template <class T>
-HAMILCAR_CORE SineCosine<T> sincos_of_reduced(const T& x) {
-    using C = detail::SineCosineConstants<std::conditional_t<std::is_same_v<Element<T>, float>, float, double>>;
+SineCosine<T> sincos_of_reduced(const T& x) {
+    using C = detail::SineCosineConstants<Real<T>>;
     const T z = x * x;
     return {x + x * z * detail::polynomial(C::sine, z), T(1) - (T(0.5) * z - z * z * detail::polynomial(C::cosine, z))};
 }
 
-// Of any angle. By value and out of line: where it is not called, nothing has to lie in memory for it.
+// Of any angle.
 template <class T>
-[[gnu::noinline, gnu::const]] SineCosine<T> sincos_with_reduction(T angle) {
-    using C = detail::SineCosineConstants<std::conditional_t<std::is_same_v<Element<T>, float>, float, double>>;
+SineCosine<T> sincos_with_reduction(T angle) {
+    using C = detail::SineCosineConstants<Real<T>>;
     const T big(C::round);
     const T turns = (angle * T(0.636619772367581343076) + big) - big;  // quarter turns
     const T x = ((angle - turns * T(C::half_pi[0])) - turns * T(C::half_pi[1])) - turns * T(C::half_pi[2]);
@@ -75,10 +75,12 @@ template <class T>
 
 // Linkages mostly turn by less than an eighth of a turn, and there the reduction would not change a bit.
 template <class T>
-HAMILCAR_CORE SineCosine<T> sincos(const T& angle) {
-    if (any(!(abs(angle) <= T(0.78)))) [[unlikely]]
-        return sincos_with_reduction(angle);
-    return sincos_of_reduced(angle);
+SineCosine<T> sincos(const T& angle) {
+    const auto pair = [](const SineCosine<T>& both) { return std::array{both.sine, both.cosine}; };
+    const auto [sine, cosine] = unless(
+        !(abs(angle) <= T(0.78)), [&]() { return pair(sincos_of_reduced(angle)); },
+        [&]() { return pair(sincos_with_reduction(angle)); });
+    return {sine, cosine};
 }
 
 }  // namespace hamilcar

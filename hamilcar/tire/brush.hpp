@@ -41,7 +41,7 @@ struct Brush {
         SlipLimits<T> limits;
         T Fz, largest, half_length;  // [N, N, m]
     };
-    HAMILCAR_CORE AtLoad at_load(const T& load, const T&, const T& road) const {
+    AtLoad at_load(const T& load, const T&, const T& road) const {
         const T K_x = stiffness_x * load, K_y = stiffness_y * load, largest = friction * road * load;
         return {.limits = {K_x, K_y, largest, largest, K_x / largest, K_y / largest, K_x * carcass_x, K_y * carcass_y},
                 .Fz = load,
@@ -49,7 +49,7 @@ struct Brush {
                 .half_length = half_length * sqrt(T(load * inverse_nominal_load))};
     }
 
-    HAMILCAR_CORE SlipForces<T> forces(const AtLoad& at, const Slip<T>& slip) const {
+    SlipForces<T> forces(const AtLoad& at, const Slip<T>& slip) const {
         // Rolling speed over the speed ahead: 1 + kappa ahead; a locked wheel's bristles all slide, whatever the quotient.
         const T rolling = max(T(1) + slip.longitudinal * slip.ahead, T(0.02));
         const T x = at.limits.stiffness_x * slip.longitudinal / rolling;

@@ -53,8 +53,7 @@ struct ContactFrame {
 // With s = n.a and c = sqrt(1 - s^2) the disc's lowest point lies at -R (n - s a) / c from the center and the longitudinal
 // direction is a x n / c, so that a longitudinal force at P has the lever R - c depth about the axis a.
 template <class T>
-HAMILCAR_CORE ContactFrame<T> contact_frame(const RoadPlane<T>& road, const Vec3<T>& center, const Vec3<T>& axis,
-                                            const T& radius) {
+ContactFrame<T> contact_frame(const RoadPlane<T>& road, const Vec3<T>& center, const Vec3<T>& axis, const T& radius) {
     const Vec3<T>& n = road.normal;
     const T s = n.dot(axis);
     const T cc = max(T(1) - s * s, T(1e-6));  // a wheel lying flat keeps a direction

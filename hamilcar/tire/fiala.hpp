@@ -40,7 +40,7 @@ struct Fiala {
         SlipLimits<T> limits;
         T Fz, road;
     };
-    HAMILCAR_CORE AtLoad at_load(const T& load, const T&, const T& road) const {
+    AtLoad at_load(const T& load, const T&, const T& road) const {
         const T largest = static_friction * road * load;
         return {.limits = {stiffness_x, stiffness_y, largest, largest, stiffness_x / largest, stiffness_y / largest,
                            relaxation_x, relaxation_y},
@@ -48,7 +48,7 @@ struct Fiala {
                 .road = road};
     }
 
-    HAMILCAR_CORE SlipForces<T> forces(const AtLoad& at, const Slip<T>& slip) const {
+    SlipForces<T> forces(const AtLoad& at, const Slip<T>& slip) const {
         const T k = slip.longitudinal, slope = abs(slip.lateral), size = abs(k);
         const T whole = min(sqrt(k * k + slope * slope), T(1));
         const T largest = (static_friction - friction_drop * whole) * at.road * at.Fz;

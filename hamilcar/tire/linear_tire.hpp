@@ -47,7 +47,7 @@ struct LinearTire {
           carcass_damping(d.carcass_damping),
           rolling_resistance(d.rolling_resistance) {}
 
-    HAMILCAR_CORE TireForce<T> force(const TireContact<T>& c) const {
+    TireForce<T> force(const TireContact<T>& c) const {
         const T elastic = stiffness * max(c.depth, T(0));
         const T Fz = select(c.depth > T(0), max(elastic + damping * c.depth_rate, T(0)), T(0));
         const T x = Fz * load_scale, mu = friction * c.friction;
@@ -79,7 +79,7 @@ struct LinearTire {
     }
 
     // Energy stored by the vertical spring [J].
-    HAMILCAR_CORE T potential(const T& depth) const {
+    T potential(const T& depth) const {
         const T pressed = max(depth, T(0));
         return T(0.5) * stiffness * pressed * pressed;
     }

@@ -54,7 +54,7 @@ struct MagicFormula {
         T own_x, own_y;  // scaling of the friction by the road and by LMU: lambda*
     };
 
-    HAMILCAR_CORE AtLoad at_load(const T& load, const T& camber, const T& friction) const {
+    AtLoad at_load(const T& load, const T& camber, const T& friction) const {
         AtLoad at;
         at.Fz = min(load, largest_load);
         at.ratio = at.Fz * inverse_nominal_load;
@@ -71,7 +71,7 @@ struct MagicFormula {
         return at;
     }
 
-    HAMILCAR_CORE SlipForces<T> forces(const AtLoad& at, const Slip<T>& asked) const {
+    SlipForces<T> forces(const AtLoad& at, const Slip<T>& asked) const {
         const T kappa = clamp(asked.longitudinal, slip[0], slip[1]);
         const T slope_ = clamp(asked.lateral, slope[0], slope[1]);
         T alpha = slope_;
@@ -110,21 +110,21 @@ private:
     // B x, and E; `angle` is atan(B x).
     struct Curve {
         T z, E;
-        HAMILCAR_CORE T bent(const T& angle) const { return z - E * (z - angle); }
+        T bent(const T& angle) const { return z - E * (z - angle); }
     };
     // A weight at x + shift, B (x + shift) = y / x, over that at the shift alone, B shift = shifted / x.
     struct Weight {
         T y, x, shifted, C, E;
 
         // `angle` is atan(y / x).
-        HAMILCAR_CORE T value(const T& angle) const {
+        T value(const T& angle) const {
             const T here = at(y, angle);
             if (!any(shifted != T(0))) return here;
             return select(shifted != T(0), T(here / at(shifted, arctangent(shifted, x))), here);
         }
 
     private:
-        HAMILCAR_CORE T at(const T& over, T angle) const {
+        T at(const T& over, T angle) const {
             if (any(E != T(0))) {
                 const T z = over / x;
                 angle = select(E != T(0), arctangent(T(z - E * (z - angle))), angle);
@@ -132,11 +132,11 @@ private:
             return cosine(T(C * angle));
         }
     };
-    HAMILCAR_CORE static T exponential_of(const T& factor, const T& dfz) {
+    static T exponential_of(const T& factor, const T& dfz) {
         return any(factor != T(0)) ? exponential(T(factor * dfz)) : T(1);
     }
     // Camber as older sets take it, from its sine.
-    HAMILCAR_CORE T angle_of(const T& s) const {
+    T angle_of(const T& s) const {
         if (!any(angle_slip > T(0))) return s;
         const T z = s * s;
         return select(angle_slip > T(0), T(s * (T(1) + z * (T(1.0 / 6) + z * (T(3.0 / 40) + z * T(15.0 / 336))))), s);
@@ -146,7 +146,7 @@ private:
     struct Quotient {
         T over, under;
     };
-    HAMILCAR_CORE Quotient cornering_stiffness(const AtLoad& at) const {  // (4.E25)
+    Quotient cornering_stiffness(const AtLoad& at) const {  // (4.E25)
         const T x = at.ratio, y = c[PKY2] + c[PKY5] * at.gamma_square;
         T over = (x + x) * y, under = x * x + y * y;  // sin(2 atan(x / y))
         if (any(c[PKY4] != T(2))) {
@@ -157,12 +157,12 @@ private:
     }
 
     // lambda' of the road's friction, by which shifts fall slower than forces: (4.E8)
-    HAMILCAR_CORE T degressive(const T& own) const {
+    T degressive(const T& own) const {
         if (!any(own != T(1))) return T(1);
         return select(angle_slip > T(0), own, T(T(10) * own / (T(1) + T(9) * own)));
     }
     // What the side force has of camber.
-    HAMILCAR_CORE void lean(AtLoad& at, const T& gamma) const {  // (4.E23)-(4.E30)
+    void lean(AtLoad& at, const T& gamma) const {  // (4.E23)-(4.E30)
         at.gamma = gamma;
         at.gamma_square = gamma * gamma;
         at.gamma_size = abs(gamma);
@@ -177,13 +177,13 @@ private:
                  camber_by_stiffness * (K_gamma * gamma - V_gamma) * at.inverse_K_y;
         at.V_y = own * (c[PVY1] + c[PVY2] * at.dfz) + V_gamma;
     }
-    HAMILCAR_CORE AtLoad without_camber(const AtLoad& at) const {
+    AtLoad without_camber(const AtLoad& at) const {
         AtLoad flat = at;
         lean(flat, T(0));
         return flat;
     }
 
-    HAMILCAR_CORE void relaxation(AtLoad& at) const {
+    void relaxation(AtLoad& at) const {
         at.limits.relaxation_x = at.limits.stiffness_x * carcass_x;
         at.limits.relaxation_y = at.limits.stiffness_y * carcass_y;
         if (!any(carcass_x == T(0))) return;
@@ -194,34 +194,32 @@ private:
         at.limits.relaxation_y = select(carcass_y == T(0), by_load_y, at.limits.relaxation_y);
     }
 
-    HAMILCAR_CORE Curve longitudinal(const AtLoad& at, const T& kappa) const {  // (4.E9)-(4.E18)
+    Curve longitudinal(const AtLoad& at, const T& kappa) const {  // (4.E9)-(4.E18)
         const T x = kappa + c[PHX1] + c[PHX2] * at.dfz;
         const T side = select(x < T(0), T(1) + c[PEX4], T(1) - c[PEX4]);
         return {at.B_x * x, min((c[PEX1] + at.dfz * (c[PEX2] + c[PEX3] * at.dfz)) * side, T(1))};
     }
-    HAMILCAR_CORE T longitudinal_shift(const AtLoad& at) const {
-        return at.Fz * (c[PVX1] + c[PVX2] * at.dfz) * degressive(at.own_x);
-    }
-    HAMILCAR_CORE Weight longitudinal_weight(const AtLoad& at, const T& kappa, const T& alpha) const {
+    T longitudinal_shift(const AtLoad& at) const { return at.Fz * (c[PVX1] + c[PVX2] * at.dfz) * degressive(at.own_x); }
+    Weight longitudinal_weight(const AtLoad& at, const T& kappa, const T& alpha) const {
         const T B = c[RBX1] + c[RBX3] * at.gamma_square, slope_ = c[RBX2] * kappa;  // (4.E50)-(4.E57)
         return {B * (alpha + c[RHX1]), sqrt(T(1) + slope_ * slope_), B * c[RHX1], c[RCX1],
                 min(c[REX1] + c[REX2] * at.dfz, T(1))};
     }
 
-    HAMILCAR_CORE Curve lateral(const AtLoad& at, const T& alpha) const {  // (4.E19)-(4.E30)
+    Curve lateral(const AtLoad& at, const T& alpha) const {  // (4.E19)-(4.E30)
         const T x = alpha + at.H_y;
         const T skew = c[PEY3] + c[PEY4] * at.gamma;
         const T side = T(1) + c[PEY5] * at.gamma_square + select(x < T(0), skew, T(-skew));
         return {at.B_y * x, min((c[PEY1] + c[PEY2] * at.dfz) * side, T(1))};
     }
-    HAMILCAR_CORE Weight lateral_weight(const AtLoad& at, const T& kappa, const T& alpha) const {  // (4.E58)-(4.E67)
+    Weight lateral_weight(const AtLoad& at, const T& kappa, const T& alpha) const {  // (4.E58)-(4.E67)
         const T B = c[RBY1] + c[RBY4] * at.gamma_square, slope_ = c[RBY2] * (alpha - c[RBY3]);
         const T shift = c[RHY1] + c[RHY2] * at.dfz;
         return {B * (kappa + shift), sqrt(T(1) + slope_ * slope_), B * shift, c[RCY1],
                 min(c[REY1] + c[REY2] * at.dfz, T(1))};
     }
     // The side force that MF 6.1's trail works on.
-    HAMILCAR_CORE T force_without_camber(const AtLoad& at, const T& kappa, const T& alpha) const {
+    T force_without_camber(const AtLoad& at, const T& kappa, const T& alpha) const {
         const AtLoad flat = without_camber(at);
         const Curve y = lateral(flat, alpha);
         const Weight weight = lateral_weight(flat, kappa, alpha);
@@ -229,12 +227,12 @@ private:
         return force * weight.value(arctangent(weight.y, weight.x));
     }
     // Most that drive and brake induce of side force; cos(atan(RVY4 alpha)) is the slant.
-    HAMILCAR_CORE T lateral_push(const AtLoad& at, const T& slant) const {
+    T lateral_push(const AtLoad& at, const T& slant) const {
         return at.mu_y * at.Fz * (c[RVY1] + c[RVY2] * at.dfz + c[RVY3] * at.gamma) * slant;
     }
 
     // The square of slip sideways and along together, as an angle where slip is one.
-    HAMILCAR_CORE T joined(const T& x, const T& pulled) const {
+    T joined(const T& x, const T& pulled) const {
         T square = x * x + pulled;
         if (any(angle_slip > T(0))) {
             const T run = cosine(x), rise = sine(x), whole = sqrt(rise * rise + pulled * run * run);
@@ -247,7 +245,7 @@ private:
     struct Slants {
         T push, residual;
     };
-    HAMILCAR_CORE Slants slants(const AtLoad& at, const T& pulled, const T& alpha, const T& own) const {
+    Slants slants(const AtLoad& at, const T& pulled, const T& alpha, const T& own) const {
         const T rest = alpha + at.H_y + at.V_y * at.inverse_K_y, B = c[QBZ9] * own + c[QBZ10] * at.B_y;
         const T pushed = c[RVY4] * alpha;
         const auto cosines =
@@ -255,7 +253,7 @@ private:
         return {cosines[0], cosines[1]};
     }
 
-    HAMILCAR_CORE T overturning(const AtLoad& at, const T& Fy) const {  // (4.E69)
+    T overturning(const AtLoad& at, const T& Fy) const {  // (4.E69)
         const T side = Fy * inverse_nominal_load;
         T arm = c[QSX1] - at.gamma * (c[QSX2] + c[QSX12] * at.gamma_size) + c[QSX3] * side;
         if (any(c[QSX4] != T(0) || c[QSX10] != T(0))) {
@@ -267,7 +265,7 @@ private:
         return nominal_radius * (at.Fz * arm + Fy * (c[QSX13] + c[QSX14] * at.gamma_size));
     }
 
-    HAMILCAR_CORE T rolling_resistance(const AtLoad& at, const T& Fx, const T& v_x) const {  // (4.E70)
+    T rolling_resistance(const AtLoad& at, const T& Fx, const T& v_x) const {  // (4.E70)
         const T v = abs(v_x) * inverse_speed, vv = v * v;
         T share = c[QSY1] + c[QSY2] * Fx * inverse_nominal_load + c[QSY3] * v + c[QSY4] * vv * vv +
                   (c[QSY5] + c[QSY6] * at.ratio) * at.gamma_square;
@@ -280,11 +278,9 @@ private:
     struct Trail {
         T length, turn, turned, pulled;  // D without its sign ahead, the share of E that turns
         Curve curve;
-        HAMILCAR_CORE void bend(const T& angle) {
-            curve.E = min(curve.E * (T(1) + turned * T(0.636619772367581343) * angle), T(1));
-        }
+        void bend(const T& angle) { curve.E = min(curve.E * (T(1) + turned * T(0.636619772367581343) * angle), T(1)); }
     };
-    HAMILCAR_CORE Trail pneumatic_trail(const AtLoad& at, const T& kappa, const T& alpha, const T& own) const {
+    Trail pneumatic_trail(const AtLoad& at, const T& kappa, const T& alpha, const T& own) const {
         const T stretch = combined * at.K_x * at.inverse_K_y * kappa, pulled = stretch * stretch, gamma = at.gamma;
         const T x = alpha + c[QHZ1] + c[QHZ2] * at.dfz + (c[QHZ3] + c[QHZ4] * at.dfz) * gamma;
         const T size = sqrt(joined(x, pulled)), whole = select(x < T(0), T(-size), size);
@@ -299,13 +295,13 @@ private:
                 pulled,
                 {B * whole, c[QEZ1] + at.dfz * (c[QEZ2] + c[QEZ3] * at.dfz)}};  // (4.E31)-(4.E49)
     }
-    HAMILCAR_CORE T residual_moment(const AtLoad& at, const T& slant) const {
+    T residual_moment(const AtLoad& at, const T& slant) const {
         return at.Fz * nominal_radius * at.own_y * slant *
                (c[QDZ6] + c[QDZ7] * at.dfz +
                 at.gamma * (c[QDZ8] + c[QDZ9] * at.dfz + (c[QDZ10] + c[QDZ11] * at.dfz) * at.gamma_size));
     }
     // Lever of the longitudinal force.  // (4.E76)
-    HAMILCAR_CORE T moment_arm(const AtLoad& at, const T& Fy) const {
+    T moment_arm(const AtLoad& at, const T& Fy) const {
         return nominal_radius *
                (c[SSZ1] + c[SSZ2] * Fy * inverse_nominal_load + (c[SSZ3] + c[SSZ4] * at.dfz) * at.gamma);
     }

@@ -132,7 +132,7 @@ struct SlipTire {
     }
 
     // Energy stored by the vertical spring [J].
-    HAMILCAR_CORE T potential(const T& depth) const {
+    T potential(const T& depth) const {
         const T pressed = max(depth, T(0));
         return pressed * pressed * (T(0.5) * casing.stiffness + T(1.0 / 3) * casing.growth * pressed);
     }

@@ -21,7 +21,7 @@ struct SpringTire {
     explicit SpringTire(const SpringTireDescription& d)
         : radius(d.radius), rolling_radius(d.rolling_radius), stiffness(d.vertical_stiffness) {}
 
-    HAMILCAR_CORE TireForce<T> force(const TireContact<T>& c) const {
+    TireForce<T> force(const TireContact<T>& c) const {
         const T Fz = stiffness * c.depth;
         return {.Fx = T(0),
                 .Fy = T(0),

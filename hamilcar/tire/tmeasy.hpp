@@ -14,7 +14,7 @@ struct OverLoad {
     static constexpr auto members() { return std::tuple(&OverLoad::p, &OverLoad::q); }
     OverLoad() = default;
     OverLoad(double once, double twice) : p(2 * once - 0.5 * twice), q(0.5 * twice - once) {}
-    HAMILCAR_CORE T operator()(const T& x) const { return x * (p + q * x); }
+    T operator()(const T& x) const { return x * (p + q * x); }
 };
 // The same for a quantity that is not zero there: on a straight line.
 template <class T>
@@ -23,7 +23,7 @@ struct AlongLoad {
     static constexpr auto members() { return std::tuple(&AlongLoad::once, &AlongLoad::more); }
     AlongLoad() = default;
     AlongLoad(double at_once, double at_twice) : once(at_once), more(at_twice - at_once) {}
-    HAMILCAR_CORE T operator()(const T& x) const { return once + more * (x - T(1)); }
+    T operator()(const T& x) const { return once + more * (x - T(1)); }
 };
 
 template <class T>
@@ -46,7 +46,7 @@ struct TmeasyDirection {
         T stiffness, peak_force, sliding_force, peak_slip, sliding_slip;
     };
     // Friction scales the forces and the slips they are reached at: the stiffness stays.
-    HAMILCAR_CORE Curve at(const T& x, const T& friction) const {
+    Curve at(const T& x, const T& friction) const {
         return {stiffness(x), peak_force(x) * friction, sliding_force(x) * friction, peak_slip(x) * friction,
                 sliding_slip(x) * friction};
     }
@@ -92,7 +92,7 @@ struct Tmeasy {
         T Fz, x;
         Curve along, across;
     };
-    HAMILCAR_CORE AtLoad at_load(const T& load, const T&, const T& road) const {
+    AtLoad at_load(const T& load, const T&, const T& road) const {
         const T Fz = min(load, largest_load), x = Fz * inverse_nominal_load, own = friction * road;
         const Curve along = longitudinal.at(x, own), across = lateral.at(x, own);
         return {.limits = {along.stiffness, across.stiffness, along.peak_force, across.peak_force,
@@ -104,7 +104,7 @@ struct Tmeasy {
                 .across = across};
     }
 
-    HAMILCAR_CORE SlipForces<T> forces(const AtLoad& at, const Slip<T>& asked) const {
+    SlipForces<T> forces(const AtLoad& at, const Slip<T>& asked) const {
         const T rolling = max(T(1) + asked.longitudinal * asked.ahead, T(0.02));
         const T s_x = asked.longitudinal / rolling, s_y = -asked.lateral / rolling;
         const Curve &X = at.along, &Y = at.across;
@@ -115,7 +115,7 @@ struct Tmeasy {
         const T reach_x = X.peak_slip * peaks + bend_x * bends, reach_y = Y.peak_slip * peaks + bend_y * bends;
         const T n_x = s_x / reach_x + T(1e-15), n_y = s_y / reach_y;  // without slip it points ahead, with no force
         const T s = sqrt(n_x * n_x + n_y * n_y), cosine_ = n_x / s, sine_ = n_y / s;
-        const auto together = [&](const T& x, const T& y) HAMILCAR_INLINED {
+        const auto together = [&](const T& x, const T& y) {
             const T a = x * cosine_, b = y * sine_;
             return T(sqrt(a * a + b * b));
         };
@@ -134,7 +134,7 @@ struct Tmeasy {
 private:
     // Rising to the peak as a quotient; falling along two parabolas that meet without a kink, the first with the curvature of
     // the peak, or as a cubic where sliding begins too early for that.
-    HAMILCAR_CORE static T lookup(const Curve& c, const T& s) {
+    static T lookup(const Curve& c, const T& s) {
         const T r = s / c.peak_slip, slope = max(c.stiffness, T(2) * c.peak_force / c.peak_slip);
         const T rising = slope * s / (T(1) + r * (r + slope * c.peak_slip / c.peak_force - T(2)));
         const T past = clamp(s - c.peak_slip, T(0), c.sliding_slip - c.peak_slip), way = c.sliding_slip - c.peak_slip;
@@ -148,7 +148,7 @@ private:
     }
 
     // Falls through zero at the first slip, and comes back to zero from below at the second.
-    HAMILCAR_CORE T trail_at(const AtLoad& at, const T& s_y) const {
+    T trail_at(const AtLoad& at, const T& s_y) const {
         const T first = trail_vanishes(at.x), last = trail_ends(at.x), w = first / last;
         const T length = contact_length * sqrt(at.x), start = trail(at.x) * length;
         const T t = s_y / first;

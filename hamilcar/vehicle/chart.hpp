@@ -23,50 +23,43 @@ struct ChassisRates {
 
 template <class T>
 struct QuaternionChart {
-    HAMILCAR_CORE static Mat3<T> rotation(const Vector<T, 4>& orientation) {
-        return quaternion_rotation<T>(orientation);
-    }
-    HAMILCAR_CORE static Spatial<T> momentum(const Vector<T, 4>&, const Spatial<T>& stored) { return stored; }
-    HAMILCAR_CORE static Spatial<T> stored_momentum(const Vector<T, 4>&, const Spatial<T>& momentum) {
-        return momentum;
-    }
-    HAMILCAR_CORE static Vector<T, 4> orientation_rate(const Vector<T, 4>& orientation, const ChassisRates<T>& rates) {
+    static Mat3<T> rotation(const Vector<T, 4>& orientation) { return quaternion_rotation<T>(orientation); }
+    static Spatial<T> momentum(const Vector<T, 4>&, const Spatial<T>& stored) { return stored; }
+    static Spatial<T> stored_momentum(const Vector<T, 4>&, const Spatial<T>& momentum) { return momentum; }
+    static Vector<T, 4> orientation_rate(const Vector<T, 4>& orientation, const ChassisRates<T>& rates) {
         return quaternion_rate<T>(orientation, rates.angular_velocity_chassis);
     }
-    HAMILCAR_CORE static Spatial<T> stored_momentum_rate(const Vector<T, 4>&, const ChassisRates<T>& rates) {
+    static Spatial<T> stored_momentum_rate(const Vector<T, 4>&, const ChassisRates<T>& rates) {
         return rates.momentum_rate;
     }
 };
 
 template <class T>
 struct BryantChart {
-    HAMILCAR_CORE static BryantAngles<T> angles(const Vector<T, 4>& orientation) {
+    static BryantAngles<T> angles(const Vector<T, 4>& orientation) {
         return BryantAngles<T>(Vec3<T>(orientation.template head<3>()));
     }
-    HAMILCAR_CORE static Mat3<T> rotation(const Vector<T, 4>& orientation) {
-        return bryant_rotation(angles(orientation));
-    }  // (1)
+    static Mat3<T> rotation(const Vector<T, 4>& orientation) { return bryant_rotation(angles(orientation)); }  // (1)
 
-    HAMILCAR_CORE static Spatial<T> stored_momentum(const Vector<T, 4>& orientation, const Spatial<T>& momentum) {
+    static Spatial<T> stored_momentum(const Vector<T, 4>& orientation, const Spatial<T>& momentum) {
         const Mat3<T> D = bryant_rate_matrix(angles(orientation));
         return spatial<T>(linear(momentum), D.transpose() * angular(momentum));  // P_Z = B_1^T (p ; L)  // (54), (57)
     }
     // L = D^-T P, written out: D's determinant is cos q15.
-    HAMILCAR_CORE static Spatial<T> momentum(const Vector<T, 4>& orientation, const Spatial<T>& stored) {
+    static Spatial<T> momentum(const Vector<T, 4>& orientation, const Spatial<T>& stored) {
         const auto q = angles(orientation);
         const T b = (stored[5] - q.y.sine * stored[3]) / q.y.cosine;
         return spatial<T>(linear(stored), Vec3<T>(stored[3], q.x.cosine * stored[4] - q.x.sine * b,
                                                   q.x.sine * stored[4] + q.x.cosine * b));
     }
-    HAMILCAR_CORE static Vector<T, 4> orientation_rate(const Vector<T, 4>& orientation, const ChassisRates<T>& rates) {
+    static Vector<T, 4> orientation_rate(const Vector<T, 4>& orientation, const ChassisRates<T>& rates) {
         const auto q = angles(orientation);
         const Vec3<T>& w = rates.angular_velocity;
         const T third = (q.x.cosine * w[2] - q.x.sine * w[1]) / q.y.cosine;
         return {w[0] - q.y.sine * third, q.x.cosine * w[1] + q.x.sine * w[2], third, T(0)};  // D^-1 omega  // (9)
     }
     // (D^T L)' = D^T L' + D'^T L
-    HAMILCAR_CORE static Spatial<T> stored_momentum_rate(const Vector<T, 4>& orientation,
-                                                         const ChassisRates<T>& rates) {
+    static Spatial<T> stored_momentum_rate(const Vector<T, 4>& orientation, const ChassisRates<T>& rates) {
         const auto q = angles(orientation);
         const Vector<T, 4> rate = orientation_rate(orientation, rates);
         const Vec3<T> L = angular(rates.momentum), L_rate = angular(rates.momentum_rate);

@@ -5,6 +5,7 @@
 //   trailer  hitch angles, their momenta
 #pragma once
 
+#include <array>
 #include <tuple>
 #include <vector>
 
@@ -90,6 +91,12 @@ struct ComposedSpoke {
                           &S::dampers, &S::inverse_design_determinant);
     }
 
+    // How many numbers of a state are its own.
+    int size() const {
+        int count = linkage.nq() + linkage.nV();
+        for (const ComposedWheel<T>& wheel : wheels) count += ComposedWheel<T>::size(wheel.tires);
+        return count;
+    }
     template <class Number>
     ComposedState<Number> state(Number* values) const {
         Number* at = values + offset;
@@ -101,6 +108,28 @@ struct ComposedSpoke {
         return {at[0], at[1], at + 2};
     }
 };
+
+// Numbers of one composed spoke in a state, at most.
+inline constexpr int composed_spoke_capacity =
+    max_coordinates + max_freedoms + max_wheels * ComposedWheel<double>::size(max_tires_abreast);
+
+// Two neighbors of one shape abreast in the lanes of a number, as the left and the right wheel's. Their `offset` is zero.
+template <class S>
+struct ComposedPair {
+    ComposedSpoke<S> spokes;
+    std::array<int, 2> offset;  // of each in the state
+    int first;                  // number of the first
+};
+
+// The numbers of both, side by side.
+template <class S, class T>
+std::array<S, composed_spoke_capacity> gather_pair(const ComposedPair<S>& pair, const T* values) {
+    std::array<S, composed_spoke_capacity> out;
+    for (int k = 0; k < pair.spokes.size(); ++k) {
+        out[static_cast<std::size_t>(k)] = S(std::array<T, 2>{values[pair.offset[0] + k], values[pair.offset[1] + k]});
+    }
+    return out;
+}
 
 template <class T>
 struct Trailer {

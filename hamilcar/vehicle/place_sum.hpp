@@ -14,7 +14,7 @@ public:
     using Share = std::array<S, count>;
 
     template <class Row>
-    HAMILCAR_CORE void add(const Share& share, const Row& row) {
+    void add(const Share& share, const Row& row) {
         if constexpr (width == 1) {
             accumulate(static_cast<std::size_t>(row.place), share);
         } else if (row.count == width) {
@@ -28,7 +28,7 @@ public:
         }
     }
 
-    HAMILCAR_CORE std::array<T, count> total() {
+    std::array<T, count> total() {
         for (std::size_t place = 0; place < sums_.size(); ++place) {
             if (!begun_[place]) sums_[place].fill(S(0));
         }
@@ -48,7 +48,7 @@ private:
     static constexpr int width = row_width<S, T>;
     static_assert(width == 1 || width == places_abreast);
 
-    HAMILCAR_CORE void accumulate(std::size_t place, const Share& share) {
+    void accumulate(std::size_t place, const Share& share) {
         Share& sum = sums_[place];
         if (begun_[place]) {
 #pragma GCC unroll 32

@@ -6,22 +6,20 @@
 #include <vector>
 
 #include "hamilcar/math/gather.hpp"
-#include "hamilcar/math/pack.hpp"
+#include "hamilcar/math/traced.hpp"
 
 namespace hamilcar {
 
-// The number in whose lanes spokes of a car of T stand abreast: for doubles the pair that every machine has. In a batch
-// the lanes are taken by cars, and spokes come one by one.
+// The number that carries spokes abreast: for a number that records a pair, which a program computes side by side; for all
+// others there is none, and spokes come one by one.
 template <class T>
 struct AbreastNumber {
     using type = T;
 };
-#if XSIMD_WITH_SSE2 || XSIMD_WITH_NEON64
-template <>
-struct AbreastNumber<double> {
-    using type = Pack<double, 2>;
+template <class E>
+struct AbreastNumber<Traced<E>> {
+    using type = Traced<E, 2>;
 };
-#endif
 template <class T>
 using Abreast = typename AbreastNumber<T>::type;
 
@@ -31,7 +29,7 @@ inline constexpr int row_width = lane_count<S> / lane_count<T>;
 
 // The i-th of the numbers T abreast in an S.
 template <class T, class S>
-HAMILCAR_CORE T at_place(const S& row, int i) {
+T at_place(const S& row, int i) {
     if constexpr (row_width<S, T> == 1) {
         return row;
     } else {
@@ -41,7 +39,7 @@ HAMILCAR_CORE T at_place(const S& row, int i) {
 
 // The numbers at the places of a row, side by side.
 template <class S, class Numbers, class Index>
-HAMILCAR_CORE S from_places(const Numbers& numbers, const Index& index) {
+S from_places(const Numbers& numbers, const Index& index) {
     using T = typename Numbers::value_type;
     constexpr std::size_t width = row_width<S, T>;
     if constexpr (width == 1) {
@@ -55,7 +53,7 @@ HAMILCAR_CORE S from_places(const Numbers& numbers, const Index& index) {
 
 // The same in every lane.
 template <class S, class T, int rows, int columns>
-HAMILCAR_CORE Matrix<S, rows, columns> abreast(const Matrix<T, rows, columns>& same) {
+Matrix<S, rows, columns> abreast(const Matrix<T, rows, columns>& same) {
     Matrix<S, rows, columns> out;
     for (int i = 0; i < rows * columns; ++i) out.data()[i] = S(same.data()[i]);
     return out;

@@ -24,7 +24,7 @@ struct SpokeState {
 };
 
 template <class Number>
-HAMILCAR_CORE SpokeState<Number> spoke_view(Number* at) {
+SpokeState<Number> spoke_view(Number* at) {
     constexpr int V = max_independent, W = max_dependent;
     Number* wheel = at + 2 * V + W;
     return {at, at + V, at + V + W, wheel[0], wheel[1], wheel[2], wheel[3]};
@@ -58,13 +58,13 @@ template <class S>
 using RowState = std::array<S, spoke_size>;
 
 template <class S>
-HAMILCAR_CORE SpokeState<const S> spoke_view(const RowState<S>& row) {
+SpokeState<const S> spoke_view(const RowState<S>& row) {
     return spoke_view(row.data());
 }
 
 // The numbers of a row, side by side.
 template <class S, class T>
-HAMILCAR_CORE RowState<S> gather_row(const State<T>& state, const RowIndex& index) {
+RowState<S> gather_row(const State<T>& state, const RowIndex& index) {
     constexpr std::size_t width = row_width<S, T>;
     const T* from[width];
     for (std::size_t i = 0; i < width; ++i) from[i] = state.values.data() + State<T>::hub_size + index[i] * spoke_size;
@@ -82,7 +82,7 @@ HAMILCAR_CORE RowState<S> gather_row(const State<T>& state, const RowIndex& inde
 }
 
 template <class S, class T>
-HAMILCAR_CORE void scatter_row(const RowState<S>& numbers, const RowIndex& index, int count, State<T>& state) {
+void scatter_row(const RowState<S>& numbers, const RowIndex& index, int count, State<T>& state) {
     for (int i = 0; i < count; ++i) {
         T* to = state.values.data() + State<T>::hub_size + index[static_cast<std::size_t>(i)] * spoke_size;
         for (std::size_t k = 0; k < numbers.size(); ++k) to[k] = at_place<T>(numbers[k], i);

@@ -64,8 +64,10 @@ struct Vehicle {
                           &V::composed_bars, &V::trailers, &V::aerodynamics, &V::hull, &V::powertrain, &V::gravity,
                           &V::total_mass, &V::state_size, &V::places);
     }
-    std::vector<int> places;                   // of the spokes in rows of two
-    std::vector<Row<Spoke<Abreast<T>>>> rows;  // the same spokes abreast, where T has room for that
+    std::vector<int> places;  // of the spokes in rows of two
+    // The same spokes abreast, and pairs of composed ones, where T has a number for that.
+    std::vector<Row<Spoke<Abreast<T>>>> rows;
+    std::vector<ComposedPair<Abreast<T>>> pairs;
 
     Vehicle() = default;
     explicit Vehicle(const VehicleDescription& description);
@@ -77,7 +79,7 @@ struct Vehicle {
 
     // Calls f(row, its number) for the spokes one by one (S = T) or abreast (S = Abreast<T>).
     template <class S, class F>
-    HAMILCAR_CORE void for_each_row(F&& f) const {
+    void for_each_row(F&& f) const {
         if constexpr (std::is_same_v<S, T>) {
             for (int i = 0; i < spoke_count(); ++i) {
                 const auto place = static_cast<std::size_t>(i);
@@ -87,6 +89,21 @@ struct Vehicle {
             for (std::size_t i = 0; i < rows.size(); ++i) {
                 f(Row<const Spoke<S>&>{rows[i].spokes, rows[i].index, rows[i].count, 0}, static_cast<int>(i));
             }
+        }
+    }
+    // Calls alone(number) for each composed spoke, or abreast(pair, its number) for two.
+    template <class Alone, class Two>
+    void for_each_composed(const Alone& alone, const Two& abreast) const {
+        std::size_t next_pair = 0;
+        for (std::size_t s = 0; s < composed.size(); ++s) {
+            if constexpr (!std::is_same_v<Abreast<T>, T>) {
+                if (next_pair < pairs.size() && pairs[next_pair].first == static_cast<int>(s)) {
+                    abreast(pairs[next_pair], next_pair);
+                    ++next_pair, ++s;
+                    continue;
+                }
+            }
+            alone(s);
         }
     }
 };

@@ -1,4 +1,4 @@
-// The batch against lone simulations: the same bits in any lane, with any neighbors and threads, on every instruction set;
+// The batch against lone simulations: the same bits in any lane, with any neighbors and threads, by every engine;
 // cars that end early are reported and disturb nobody.
 #include "hamilcar/batch/batch.hpp"
 
@@ -9,7 +9,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "hamilcar/engine/library.hpp"
 #include "support/car.hpp"
 
 namespace hamilcar {
@@ -60,22 +59,17 @@ void expect_same_bits(const State<double>& a, const State<double>& b, const std:
     }
 }
 
-class InstructionSet : public testing::TestWithParam<std::string_view> {
+class EveryEngine : public testing::TestWithParam<const Engine*> {
 protected:
-    void SetUp() override {
-        const auto own = supported_instruction_sets();
-        if (std::find(own.begin(), own.end(), GetParam()) == own.end()) GTEST_SKIP() << "not on this processor";
-    }
-    BatchOptions options(int threads) const { return {.threads = threads, .instruction_set = std::string(GetParam())}; }
+    BatchOptions options(int threads) const { return {.threads = threads, .engine = std::string(GetParam()->name)}; }
 };
-INSTANTIATE_TEST_SUITE_P(All, InstructionSet, testing::ValuesIn(instruction_sets), [](const auto& test) {
-    return test.param == "baseline" ? "baseline" : "v" + std::string(test.param.substr(8));
-});
+INSTANTIATE_TEST_SUITE_P(All, EveryEngine, testing::ValuesIn(engines()),
+                         [](const auto& test) { return std::string(test.param->name); });
 
-TEST_P(InstructionSet, GivesEveryCarTheBitsItHasAlone) {
+TEST_P(EveryEngine, GivesEveryCarTheBitsItHasAlone) {
     const std::vector<Simulation> all = cars(11);
     Batch batch(all, options(1));
-    EXPECT_EQ(batch.instruction_set(), GetParam());
+    EXPECT_EQ(batch.engine(), GetParam()->name);
     batch.advance(steps / 2);
     batch.advance(steps - steps / 2);
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -84,7 +78,7 @@ TEST_P(InstructionSet, GivesEveryCarTheBitsItHasAlone) {
     }
 }
 
-TEST_P(InstructionSet, GivesTheSameBitsWithOtherNeighborsAndThreads) {
+TEST_P(EveryEngine, GivesTheSameBitsWithOtherNeighborsAndThreads) {
     const std::vector<Simulation> all = cars(11);
     Batch batch(all, options(1));
     std::vector<const Simulation*> turned;
@@ -96,7 +90,7 @@ TEST_P(InstructionSet, GivesTheSameBitsWithOtherNeighborsAndThreads) {
     }
 }
 
-TEST_P(InstructionSet, GivesTheSameBitsInThePapersForm) {
+TEST_P(EveryEngine, GivesTheSameBitsInThePapersForm) {
     const SolverDescription paper{.integrator = "abm3",
                                   .constraints = ConstraintMode::stabilized,
                                   .stabilization = StabilizationRule::limit,
@@ -109,12 +103,12 @@ TEST_P(InstructionSet, GivesTheSameBitsInThePapersForm) {
     }
 }
 
-TEST_P(InstructionSet, GivesTheSameBitsInSinglePrecisionWhateverTheLane) {
+TEST_P(EveryEngine, GivesTheSameBitsInSinglePrecisionWhateverTheLane) {
     const std::vector<Simulation> all = cars(5);
     BatchOptions single = options(1);
     single.precision = Precision::single_precision;
     Batch batch(all, single);
-    single.instruction_set = "baseline";
+    single.engine = "portable";
     Batch narrow(std::vector<const Simulation*>{&all[3], &all[0]}, single);
     batch.advance(steps), narrow.advance(steps);
     expect_same_bits(narrow.state(0), batch.state(3), "car 3");
@@ -122,7 +116,7 @@ TEST_P(InstructionSet, GivesTheSameBitsInSinglePrecisionWhateverTheLane) {
 }
 
 // One car tips over on its side, one is thrown so hard that its numbers end; the others do not notice.
-TEST_P(InstructionSet, ReportsCarsThatEndAndKeepsTheOthersAsTheyWere) {
+TEST_P(EveryEngine, ReportsCarsThatEndAndKeepsTheOthersAsTheyWere) {
     std::vector<Simulation> all = cars(4);
     ScenarioDescription tipping = test::scenario(10, 10);
     tipping.initial.settle = false, tipping.initial.height = 0.6, tipping.initial.angular_velocity = {4, 0, 0};
@@ -193,7 +187,7 @@ TEST(Batch, SinglePrecisionStaysNearDouble) {
     EXPECT_LT(gap, 0.05);
 }
 
-TEST(Batch, RefusesWhatCannotShareAPack) {
+TEST(Batch, RefusesWhatCannotShareAChunk) {
     const auto message = [](const std::vector<Simulation>& all, const BatchOptions& options) -> std::string {
         try {
             Batch(all, options);
@@ -206,7 +200,7 @@ TEST(Batch, RefusesWhatCannotShareAPack) {
     EXPECT_THAT(message({}, {}), HasSubstr("at least one car"));
     std::vector<Simulation> all = cars(2);
     all.push_back(various(2, {.step = 5e-4}));
-    EXPECT_THAT(message(all, {}), HasSubstr("car 3 cannot share a pack with the first one: they differ in step"));
+    EXPECT_THAT(message(all, {}), HasSubstr("car 3 cannot share a chunk with the first one: they differ in step"));
     all.back() = various(2, {.integrator = "rk4"});
     EXPECT_THAT(message(all, {}), HasSubstr("integrator"));
     VehicleDescription springs = test::conservative_car();
@@ -216,7 +210,7 @@ TEST(Batch, RefusesWhatCannotShareAPack) {
     all.pop_back();
     all[1].advance();
     EXPECT_THAT(message(all, {}), HasSubstr("under way"));
-    EXPECT_THAT(message(cars(1), {.instruction_set = "x86-64-v9"}), HasSubstr("\"x86-64-v9\": expected one"));
+    EXPECT_THAT(message(cars(1), {.engine = "sse9"}), HasSubstr("\"sse9\": expected one"));
 }
 
 TEST(WorkerPool, DoesEveryPieceOnceAndPassesFailuresOn) {

@@ -93,6 +93,7 @@ TEST_P(Fleet, MomentaAreThoseOfTheBodies) {
 
 TEST_P(Fleet, AllocatesNothingInAStep) {
     Simulation simulation(car(), test::everything_moves(car()));
+    simulation.prepare();
     const test::AllocationGuard guard;
     for (int i = 0; i < 20; ++i) simulation.advance();
     EXPECT_EQ(guard.allocations(), 0);

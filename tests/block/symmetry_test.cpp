@@ -138,6 +138,7 @@ TEST(Step, AllocatesNothing) {
         ScenarioDescription s = lane_change();
         s.solver.integrator = method.name;
         Simulation simulation(test::paper_car(), s);
+        simulation.prepare();
         const test::AllocationGuard guard;
         for (int i = 0; i < 50; ++i) simulation.advance();
         EXPECT_EQ(guard.allocations(), 0) << method.name;

@@ -1,13 +1,12 @@
 // The plane under a wheel: on a plane road it is the road whatever way it is asked; on a surface it is the plane of least
 // squares; its rate is that of differences; and a lane asks as a lone car does.
-#include "hamilcar/road/ground.hpp"
+#include "hamilcar/road/traced_ground.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "hamilcar/math/pack.hpp"
 #include "hamilcar/math/rotation.hpp"
 
 namespace hamilcar {
@@ -125,43 +124,44 @@ TEST(Ground, RisesAsDifferencesSay) {
     EXPECT_GT(std::abs(found.rise), 0.01) << "else this shows nothing";
 }
 
-// Two cars in the lanes of a pack, one on a plane: each gets what it would alone, bit for bit.
+// Two cars in the lanes of a program's call, one on a plane: each gets what it would alone, bit for bit.
 TEST(Ground, LanesAreOnTheirOwn) {
     const Surface surface(rough());
-    using Two = Pack<double, 2>;
     const Mat3<double> R = axis_rotation<double>(Vec3<double>::UnitZ(), 0.4);
     const PlaneRoad<double> plane(0.03, 0.01, 0.9);
     const Vec3<double> position(0.7, 0.1, 0.5), center(0.2, 0.6, -0.2);
     Spatial<double> motion;
     motion << 12, 0.3, 0.1, 0.01, 0.02, 0.3;
     const auto alone = [&](const Surface* below) {
-        UnevenGround<double> ground;
-        ground.count = 1;
-        ground.lanes[0] = {below, plane.normal, 0.9, position, R, 0};
+        const UnevenGround<double> ground(below, plane.normal, 0.9, position, R, 0);
         const GroundBelow<double> wheel{plane.seen_from(position, R), below ? &ground : nullptr};
         return wheel.under(center, Vec3<double>::UnitY(), motion, radius, {0, 0});
     };
-    UnevenGround<double> ground;
-    ground.count = 2;
-    ground.lanes[0] = {&surface, plane.normal, 0.9, position, R, 0};
-    ground.lanes[1] = {nullptr, plane.normal, 0.9, position, R, 0};
-    const auto both = [](const auto& v) {
-        std::decay_t<decltype(v)> same = v;
-        return same.template cast<Two>().eval();
-    };
-    const RoadPlane<double> seen = plane.seen_from(position, R);
-    const GroundBelow<Two> wheels{{both(seen.normal), Two(seen.offset), Two(seen.friction)}, &ground};
-    Spatial<Two> moving;
-    for (int i = 0; i < 6; ++i) moving[i] = Two(motion[i]);
-    const auto found =
-        wheels.under(both(center), both(Vec3<double>(Vec3<double>::UnitY())), moving, Two(radius), {0, 0});
+    using Question = GroundQuestion<double>;
+    const Question question{center,
+                            Vec3<double>::UnitY(),
+                            motion,
+                            radius,
+                            position,
+                            R,
+                            plane.normal,
+                            0.9,
+                            {plane.seen_from(position, R), 0}};
+    std::array<double, 2 * Question::count> arguments;
+    std::array<double, 2 * Question::answer_count> found;
+    std::size_t next = 0;
+    Question::for_each(question, [&](double number) { arguments[next++] = number, arguments[next++] = number; });
+    ASSERT_EQ(next, arguments.size());
+    const std::array<const Surface*, 2> surfaces{&surface, nullptr};
+    const GroundBelowLanes below{surfaces.data(), 0};
+    answer_ground_question<double>(&below, 0, 2, arguments.data(), found.data());
     const std::array<WheelRoad<double>, 2> expected{alone(&surface), alone(nullptr)};
-    for (int l = 0; l < 2; ++l) {
-        const auto& right = expected[static_cast<std::size_t>(l)];
-        for (int i = 0; i < 3; ++i) EXPECT_EQ(lane(found.plane.normal[i], l), right.plane.normal[i]);
-        EXPECT_EQ(lane(found.plane.offset, l), right.plane.offset);
-        EXPECT_EQ(lane(found.plane.friction, l), right.plane.friction);
-        EXPECT_EQ(lane(found.rise, l), right.rise);
+    for (std::size_t l = 0; l < 2; ++l) {
+        std::size_t at = l;
+        Question::for_each_answer(expected[l], [&](double right) {
+            EXPECT_EQ(found[at], right);
+            at += 2;
+        });
     }
     EXPECT_NE(expected[0].plane.offset, expected[1].plane.offset);
 }

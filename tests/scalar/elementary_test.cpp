@@ -8,7 +8,8 @@
 #include <random>
 
 #include "hamilcar/math/dual.hpp"
-#include "hamilcar/math/pack.hpp"
+#include "hamilcar/program/executable.hpp"
+#include "hamilcar/scalar/traced.hpp"
 
 namespace hamilcar {
 namespace {
@@ -76,17 +77,26 @@ TEST(Elementary, AreWhatTheyAreAtTheEnds) {
     EXPECT_DOUBLE_EQ(exponential(-1000.0), exponential(-40.0)) << "held, not zero and not infinite";
 }
 
-TEST(Elementary, LanesComputeTheBitsOfDoubles) {
+// Recorded and run with another argument in each lane.
+TEST(Elementary, RecordedProgramsComputeTheBitsOfDoubles) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> arguments(-4, 4);
-    for (int i = 0; i < 10000; ++i) {
-        const std::array<double, 2> x{arguments(random), 30 * arguments(random)};
-        const auto same = [&](const auto& f) {
-            const Pack<double, 2> packed = f(Pack<double, 2>(x));
-            for (int l = 0; l < 2; ++l) ASSERT_EQ(lane(packed, l), f(x[static_cast<std::size_t>(l)])) << x[l];
-        };
-        same(any_arctangent), same(any_sine), same(any_cosine), same(any_exponential);
-    }
+    const auto same = [&](const auto& f) {
+        program::Graph graph;
+        const Tracing tracing(graph);
+        graph.output(1, 0, f(Traced<double>::of(graph.input(0, 0))).id());
+        const auto executable = program::backends().back().compile(graph, true);
+        std::vector<double> x(static_cast<std::size_t>(executable->lanes())), y(x.size());
+        program::Frame frame;
+        frame.arrays[0] = x.data(), frame.arrays[1] = y.data();
+        for (int i = 0; i < 3000; ++i) {
+            for (double& one : x) one = (i % 2 == 0 ? 1 : 30) * arguments(random);
+            executable->run(frame);
+            for (std::size_t l = 0; l < x.size(); ++l) ASSERT_EQ(y[l], f(x[l])) << x[l];
+        }
+    };
+    same(any_arctangent), same(any_sine), same(any_cosine), same(any_exponential);
+    same([](auto x) { return sincos(x).sine; }), same([](auto x) { return sincos(x).cosine; });
 }
 
 TEST(Elementary, DerivativesAreThoseOfDifferences) {

@@ -1,0 +1,49 @@
+// As many cars as a program has lanes, in lock step.
+#pragma once
+
+#include <memory>
+
+#include "hamilcar/driver/schedule.hpp"
+#include "hamilcar/engine/turn_program.hpp"
+#include "hamilcar/integrator/methods.hpp"
+
+namespace hamilcar {
+
+// Why a car of a batch stopped before the others.
+enum class EndReason { none, not_finite, came_apart, locked, rolled_over, driver_ended };
+
+struct CarEnd {
+    EndReason reason = EndReason::none;
+    double time = 0;  // of the last good state [s]
+};
+
+// A car at its start. The state is read while a chunk is made; model and schedule must stay as long as it does.
+struct LaneCar {
+    const Model<double>* model;
+    const State<double>* state;
+    const Schedule* schedule;
+};
+
+// The same for every car of a batch.
+struct ChunkSettings {
+    Method method;
+    double step;              // [s]
+    double tilt_cosine = -2;  // a car ends where its z axis leans further; -2: it may roll over
+};
+
+class Chunk {
+public:
+    virtual ~Chunk() = default;
+    // Cars that have ended keep their last good state.
+    virtual void advance(long steps) = 0;
+    virtual double time() const = 0;
+    virtual State<double> state(int lane) const = 0;
+    virtual CarEnd end(int lane) const = 0;
+    virtual void set_schedule(int lane, const Schedule& schedule) = 0;
+};
+
+// At least one car, at most as many as the program has lanes.
+std::unique_ptr<Chunk> make_chunk(std::shared_ptr<const TurnProgram> program, std::span<const LaneCar> cars,
+                                  const ChunkSettings& settings);
+
+}  // namespace hamilcar

@@ -1,0 +1,42 @@
+// Rows of numbers for all lanes of a program: number i of lane l stands at [i * lanes + l].
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+namespace hamilcar {
+
+// To the widest register.
+template <class E>
+struct AlignedAllocator {
+    using value_type = E;
+    static constexpr std::align_val_t alignment{64};
+    AlignedAllocator() = default;
+    template <class Other>
+    AlignedAllocator(const AlignedAllocator<Other>&) {}
+    E* allocate(std::size_t count) { return static_cast<E*>(::operator new(count * sizeof(E), alignment)); }
+    void deallocate(E* at, std::size_t) { ::operator delete(at, alignment); }
+    bool operator==(const AlignedAllocator&) const { return true; }
+};
+
+// Named as an Integrator expects it.
+template <class E>
+struct LaneNumbers {
+    std::vector<E, AlignedAllocator<E>> values;
+
+    LaneNumbers() = default;
+    explicit LaneNumbers(std::size_t count) : values(count) {}
+    E* data() { return values.data(); }
+    const E* data() const { return values.data(); }
+};
+
+// Lane `to` gets the numbers of lane `from`.
+template <class E>
+void copy_lane(LaneNumbers<E>& numbers, int lanes, int from, int to) {
+    for (std::size_t i = 0; i < numbers.values.size(); i += static_cast<std::size_t>(lanes)) {
+        numbers.values[i + static_cast<std::size_t>(to)] = numbers.values[i + static_cast<std::size_t>(from)];
+    }
+}
+
+}  // namespace hamilcar

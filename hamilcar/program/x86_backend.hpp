@@ -1,0 +1,25 @@
+// The backend for x86-64: machine code with SSE2, AVX2 or AVX-512, by AsmJit's assembler.
+#pragma once
+
+#if defined(__x86_64__)
+
+#include <memory>
+
+#include "hamilcar/program/executable.hpp"
+#include "hamilcar/program/graph.hpp"
+
+namespace hamilcar::program {
+
+// Of the processor and the system.
+bool has_sse2();
+bool has_avx2();
+bool has_avx512();  // with its F, DQ, VL and BW
+
+// As Backend::compile. The code is the same bits as the portable backend's, lane by lane; MXCSR is the caller's.
+std::unique_ptr<Executable> compile_sse2(const Graph& graph, bool car_in_each_lane);
+std::unique_ptr<Executable> compile_avx2(const Graph& graph, bool car_in_each_lane);
+std::unique_ptr<Executable> compile_avx512(const Graph& graph, bool car_in_each_lane);
+
+}  // namespace hamilcar::program
+
+#endif
