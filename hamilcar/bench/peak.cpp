@@ -23,13 +23,14 @@ template <class Number, int bytes>
     typename Register<Number, bytes>::type sum[chains], factor = {}, term = {};
     factor += static_cast<Number>(0.999), term += static_cast<Number>(1e-3);
     for (int i = 0; i < chains; ++i) sum[i] = term * static_cast<Number>(i);
-    asm volatile("" : "+x"(factor), "+x"(term));  // unknown to the compiler, which would sum the series
+    asm volatile("" : "+m"(factor), "+m"(term));  // unknown to the compiler, which would sum the series
     for (long n = 0; n < rounds; ++n) {
 #pragma GCC unroll 12
         for (int i = 0; i < chains; ++i) sum[i] = sum[i] * factor + term;
     }
-    for (auto& s : sum) asm volatile("" : : "x"(s));
-    return 2.0 * chains * (bytes / sizeof(Number)) * static_cast<double>(rounds);
+    for (auto& s : sum) asm volatile("" : : "m"(s));
+    constexpr int lanes = bytes / static_cast<int>(sizeof(Number));
+    return 2.0 * chains * lanes * static_cast<double>(rounds);
 }
 
 HAMILCAR_TARGET("avx512f") double doubles_of_64(long rounds) {

@@ -313,8 +313,7 @@ void composed_momenta(const Model<T>& model, const State<T>& state, const Input<
                 const int corners = vehicle.spoke_count();
                 momenta.add_wheel(static_cast<int>(i),
                                   {corners + static_cast<int>(wheels[0]), corners + static_cast<int>(wheels[1])},
-                                  S(std::array<T, 2>{bars[wheels[0]], bars[wheels[1]]}),
-                                  S(std::array<T, 2>{shaft_of(wheels[0]), shaft_of(wheels[1])}));
+                                  from_places<S>(bars, wheels), shafts ? from_places<S>(*shafts, wheels) : S(T(0)));
             }
             momenta.add_springs();
             for (int l = 0; l < 2; ++l) {

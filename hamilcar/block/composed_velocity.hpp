@@ -280,7 +280,8 @@ void move_composed(const Vehicle<T>& vehicle, const Spatial<T>& chassis, Compose
             ComposedVelocity<S>& at = out.pairs[number];
             move_spoke(pair.spokes, abreast<S>(unit_motion(pair.spokes.unit, chassis, out)), at);
             for (int l = 0; l < 2; ++l) {
-                ComposedVelocity<T>& spoke = out.spokes[static_cast<std::size_t>(pair.first + l)];
+                ComposedVelocity<T>& spoke =
+                    out.spokes[static_cast<std::size_t>(pair.first) + static_cast<std::size_t>(l)];
                 for (int frame = 0; frame <= pair.spokes.linkage.nq(); ++frame) {
                     unpack(at.motion[frame], l, spoke.motion[frame]);
                 }

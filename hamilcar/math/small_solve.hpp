@@ -83,11 +83,14 @@ T gauss_jordan_with_exchange(Matrix<T, most, most>& A, int n) {
 template <class T, int most>
 T invert_in_place(Matrix<T, most, most>& A, int n) {
     constexpr std::size_t size = static_cast<std::size_t>(most) * static_cast<std::size_t>(most) + 1;
+    const auto place = [](int row, int column) {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(most) + static_cast<std::size_t>(column);
+    };
     const auto packed = [&](const Matrix<T, most, most>& M, const T& determinant) {
         std::array<T, size> out;
         out.fill(T(0));
         for (int i = 0; i < n; ++i) {
-            for (int j = 0; j < n; ++j) out[static_cast<std::size_t>(i * most + j)] = M(i, j);
+            for (int j = 0; j < n; ++j) out[place(i, j)] = M(i, j);
         }
         out.back() = determinant;
         return out;
@@ -111,7 +114,7 @@ T invert_in_place(Matrix<T, most, most>& A, int n) {
             return rare;
         });
     for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < n; ++j) A(i, j) = found[static_cast<std::size_t>(i * most + j)];
+        for (int j = 0; j < n; ++j) A(i, j) = found[place(i, j)];
     }
     return found.back();
 }

@@ -297,7 +297,7 @@ std::size_t Graph::hash(const Node& node) const {
     if (node.op == Op::constant) {
         for (const double value : constants(node)) h = mix(h, std::bit_cast<std::uint64_t>(value));
     } else {
-        for (const Id id : {node.a, node.b, node.c}) h = mix(h, static_cast<std::size_t>(id + 1));
+        for (const Id id : {node.a, node.b, node.c}) h = mix(h, static_cast<std::size_t>(id) + 1);
     }
     return mix(h ^ h >> 32, 0) >> 32;  // simple constants differ in their upper bits alone
 }

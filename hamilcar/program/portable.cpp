@@ -27,7 +27,7 @@ public:
     ScratchPool(const ScratchPool&) = delete;
     ScratchPool& operator=(const ScratchPool&) = delete;
 
-    CacheLine* take(std::size_t lines) noexcept {
+    CacheLine* take(std::size_t lines) {
         for (std::atomic<CacheLine*>& place : places_) {
             if (CacheLine* found = place.exchange(nullptr)) return found;
         }

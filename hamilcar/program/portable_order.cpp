@@ -65,7 +65,7 @@ private:
 
     // Among those that are ready; but those without work come first.
     int most_frequent(const std::vector<Id>& waiting) const {
-        std::array<int, 4 * (static_cast<int>(Op::merge) + 1)> counts{};
+        std::array<int, 4 * (static_cast<std::size_t>(Op::merge) + 1)> counts{};
         for (const Id id : waiting) counts[at(kind(id))] += is_ready(id);
         if (counts[0] > 0) return 0;
         return static_cast<int>(std::ranges::max_element(counts) - counts.begin());

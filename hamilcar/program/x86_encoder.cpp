@@ -25,8 +25,8 @@ bool takes_memory(const Target& target, Op op, Kind kind) {
         case Op::not_less:
         case Op::not_less_equal:
         case Op::not_equal: return true;
-        case Op::square_root: return kind != Kind::scalar;
         // These read whole registers, and one number in memory is no more than itself.
+        case Op::square_root:
         case Op::select: return kind != Kind::scalar;
         case Op::both:
         case Op::either: return kind != Kind::mask;

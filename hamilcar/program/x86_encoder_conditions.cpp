@@ -11,7 +11,6 @@ namespace hamilcar::program::x86 {
 
 using asmjit::imm;
 using asmjit::InstId;
-using asmjit::Operand;
 namespace Inst = asmjit::x86::Inst;
 
 namespace {

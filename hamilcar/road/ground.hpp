@@ -51,6 +51,9 @@ FittedPlane<E> fit_plane(const Surface& surface, const Vec3<E>& base, const E& b
                          const WheelAbove<E>& wheel, double time) {
     using D = Dual<E, 1>;  // value and rate
     const auto moving = [](const E& value, const E& rate) { return D(value, std::array<E, 1>{rate}); };
+    const auto scaled = [&](const D& number, const E& by) {
+        return moving(number.value() * by, number.partial(0) * by);
+    };
     Vec3<D> center, axis, n0;
     for (int i = 0; i < 3; ++i) {
         center[i] = moving(wheel.center[i], wheel.velocity[i]);
@@ -60,26 +63,30 @@ FittedPlane<E> fit_plane(const Surface& surface, const Vec3<E>& base, const E& b
     const Vec3<D> foot = center - n0 * n0.dot(center);
     const D scale = D(1) / sqrt(max(axis[0] * axis[0] + axis[1] * axis[1], D(1e-6)));
     const D ahead_x = axis[1] * scale, ahead_y = -axis[0] * scale;  // heading; to the left of it (-ahead_y, ahead_x)
-    const D a(wheel.radius * E(Patch::half_length)), b(wheel.radius * E(Patch::half_width));
-    D mean(0), ahead(0), aside(0);
-    E friction(0);
+    const E a = wheel.radius * E(Patch::half_length), b = wheel.radius * E(Patch::half_width);
+    D mean(0), ahead(0), aside(0);  // ahead and aside over a and b
+    E friction(surface.has_patches() ? 0 : 1);
     for (const double side : {-1.0, 1.0}) {
+        const D left_x = foot[0] - scaled(ahead_y, b * E(side)), left_y = foot[1] + scaled(ahead_x, b * E(side));
         for (std::size_t i = 0; i < Patch::stations.size(); ++i) {
-            const D along = a * D(Patch::stations[i]), across = b * D(side), weight(0.5 * Patch::weights[i]);
-            const D x = foot[0] + along * ahead_x - across * ahead_y, y = foot[1] + along * ahead_y + across * ahead_x;
-            const D height = surface.height(x, y) - (n0[0] * x + n0[1] * y) / n0[2];
-            mean += weight * height;
-            ahead += weight * along * height;
-            aside += weight * across * height;
-            friction += weight.value() * E(surface.friction(value_of(x), value_of(y)));
+            const double station = Patch::stations[i], weight = 0.5 * Patch::weights[i];
+            const D x = left_x + scaled(ahead_x, a * E(station)), y = left_y + scaled(ahead_y, a * E(station));
+            const D height = surface.height(x, y);
+            mean += scaled(height, E(weight));
+            ahead += scaled(height, E(weight * station));
+            aside += scaled(height, E(weight * side));
+            if (surface.has_patches()) friction += E(weight) * E(surface.friction(value_of(x), value_of(y)));
         }
     }
     const SignalValue<double> post = surface.post(wheel.number, time);
-    mean += moving(E(post.value), E(post.rate));
-    const D slope = ahead / (a * a * D(Patch::second_moment)), bank = aside / (b * b);
+    mean += foot[2] + moving(E(post.value), E(post.rate));
+    const E plane_x = -base[0] / base[2], plane_y = -base[1] / base[2];  // slopes of the plane below it all
+    const D slope =
+        scaled(ahead, E(1 / Patch::second_moment) / a) + scaled(ahead_x, plane_x) + scaled(ahead_y, plane_y);
+    const D bank = scaled(aside, E(1) / b) - scaled(ahead_y, plane_x) + scaled(ahead_x, plane_y);
     Vec3<D> normal(-slope * ahead_x + bank * ahead_y, -slope * ahead_y - bank * ahead_x, D(1));
-    const D length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + D(1));
-    for (int i = 0; i < 3; ++i) normal[i] = normal[i] / length;
+    const D inverse_length = D(1) / sqrt(normal[0] * normal[0] + normal[1] * normal[1] + D(1));
+    for (int i = 0; i < 3; ++i) normal[i] = normal[i] * inverse_length;
     const D offset = normal[0] * foot[0] + normal[1] * foot[1] + normal[2] * mean;
 
     FittedPlane<E> out;

@@ -38,20 +38,23 @@ struct RandomRoad {
         const N position = (x - N(along.from)) * N(per_meter);
         const double at = value_of(position);
         if (knots.empty() || !(value_of(fade) > 0 && at < 1e15)) return N(0);  // beyond, a double has no place for it
-        const auto knot = static_cast<std::uint64_t>(at);
-        const N u = position - N(static_cast<double>(knot)), v = N(1) - u;
-        const std::array<N, 4> weight{v * v * v, N(4) - N(3) * u * u * (N(1) + v), N(4) - N(3) * v * v * (N(1) + u),
-                                      u * u * u};
-        N common(0), different(0);
-        for (std::size_t i = 0; i < 4; ++i) {
-            const Knot& at_knot = knots[(knot + i + knots.size() - 1) & (knots.size() - 1)];
-            common += weight[i] * N(at_knot.common);
-            different += weight[i] * N(at_knot.different);
-        }
+        const auto knot = static_cast<std::int64_t>(at);
+        const N u = position - N(static_cast<double>(knot));
+        std::array<Knot, 4> k;
+        const std::size_t first = static_cast<std::size_t>(knot) + knots.size() - 1;
+        for (std::size_t i = 0; i < 4; ++i) k[i] = knots[(first + i) & (knots.size() - 1)];
+        const N common = spline(u, k[0].common, k[1].common, k[2].common, k[3].common);
+        const N different = spline(u, k[0].different, k[1].different, k[2].different, k[3].different);
         return fade * N(1.0 / 6) * (common + different * across(y));
     }
 
 private:
+    // Six times the cubic B-spline between the middle two of four knots, u from 0 to 1.
+    template <class N>
+    static N spline(const N& u, double a, double b, double c, double d) {
+        return N(a + 4 * b + c) + u * (N(3 * (c - a)) + u * (N(3 * (a - 2 * b + c)) + u * N(d - a + 3 * (b - c))));
+    }
+
     // Straight between the tracks, then leveling off: constant from a track width beside the middle on.
     template <class N>
     N across(const N& y) const {

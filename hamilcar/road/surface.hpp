@@ -48,6 +48,7 @@ public:
         }
         return sum;
     }
+    bool has_patches() const { return !patches_.empty(); }
     // Factor on the tire's friction, without the plane's own [1].
     double friction(double x, double y) const {
         double factor = 1;
