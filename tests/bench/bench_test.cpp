@@ -37,7 +37,9 @@ TEST(Peak, DoesAsManyOperationsAsItSays) {
     for (const Engine* own : engines()) {
         for (const Precision p : {Precision::double_precision, Precision::single_precision}) {
             EXPECT_EQ(multiply_and_add(*own, p, 10), 10 * multiply_and_add(*own, p, 1));
-            EXPECT_EQ(std::fmod(multiply_and_add(*own, p, 1), 2), 0);
+            // The portable engine has more lanes than a register of the baseline that it is compiled for.
+            const int lanes = own->name == "portable" ? 16 / (p == Precision::double_precision ? 8 : 4) : own->lanes(p);
+            EXPECT_EQ(std::fmod(multiply_and_add(*own, p, 1), 2 * lanes), 0);
         }
         EXPECT_EQ(own->lanes(Precision::single_precision), 2 * own->lanes(Precision::double_precision));
     }
