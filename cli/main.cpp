@@ -203,7 +203,7 @@ int run_command(int argc, char** argv) {
     }
     if (!engine.empty()) choose_engine(engine);
     if (!hamilcar::refused_engines().empty()) {
-        fmt::print(stderr, "hamilcar: {}: the portable engine runs instead, some ten times slower\n",
+        fmt::print(stderr, "hamilcar: {}: the portable engine runs instead, which is slower\n",
                    hamilcar::refused_engines());
     }
     cli::end_on_interrupt();

@@ -51,8 +51,12 @@ void add_closing(const Model<T>& model, const RingTurn<T>& turn, State<T>& state
 
 // One Newton step on |q|^2 = 1: a step's drift is so small that it leaves nothing.
 template <class T>
+T normalizing_factor(const T& x, const T& y, const T& z, const T& w) {
+    return T(1.5) - T(0.5) * ((x * x + y * y) + (z * z + w * w));
+}
+template <class T>
 Vector<T, 4> normalized(const Vector<T, 4>& q) {
-    return q * (T(1.5) - T(0.5) * q.squaredNorm());
+    return q * normalizing_factor<T>(q[0], q[1], q[2], q[3]);
 }
 
 // The ring as it is written, for any number.

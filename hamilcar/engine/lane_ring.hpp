@@ -34,7 +34,6 @@ public:
           surfaces_(lanes_),
           closing_runs_(runs(program.closing_places)) {}
 
-    std::size_t lanes() const { return lanes_; }
     Report report() const { return {Numbers(static_cast<std::size_t>(program_->report_size()) * lanes_), lanes_}; }
 
     void set_car(int lane, const Model<double>& model) {
@@ -97,14 +96,13 @@ private:
         return out;
     }
 
-    // As normalized() does it, all lanes side by side.
+    // All lanes side by side.
     void normalize(Numbers& to) const {
         constexpr std::size_t first = 3;  // place of the orientation in a state
         E *x = to.data() + first * lanes_, *y = x + lanes_, *z = y + lanes_, *w = z + lanes_;
 #pragma GCC ivdep
         for (std::size_t i = 0; i < lanes_; ++i) {
-            const E square = (x[i] * x[i] + y[i] * y[i]) + (z[i] * z[i] + w[i] * w[i]);
-            const E scale = E(1.5) - E(0.5) * square;
+            const E scale = normalizing_factor<E>(x[i], y[i], z[i], w[i]);
             x[i] *= scale, y[i] *= scale, z[i] *= scale, w[i] *= scale;
         }
     }

@@ -4,6 +4,7 @@
 #include <bit>
 #include <list>
 #include <mutex>
+#include <stdexcept>
 
 #include "hamilcar/program/pass.hpp"
 #include "hamilcar/road/traced_ground.hpp"
@@ -73,7 +74,11 @@ std::shared_ptr<const TurnProgram> make_program(const Model<double>& model, cons
     program::Graph graph = program::without_dead_code(trace.graph);
     if (car_in_each_lane) graph = program::in_single_numbers(graph);
     auto made = std::make_shared<TurnProgram>();
-    made->executable = engine.compile(graph, car_in_each_lane);
+    try {
+        made->executable = engine.compile(graph, car_in_each_lane);
+    } catch (const std::runtime_error&) {  // the system gives no more memory for code: slower, and the same bits
+        made->executable = program::backends().back().compile(graph, car_in_each_lane);
+    }
     made->closing_places = std::move(trace.closing_places);
     made->parameters = std::move(trace.parameters);
     made->state_size = model.vehicle.state_size;

@@ -1,11 +1,11 @@
-// The one door to Eigen: fixed-size matrices without its own vectorizer, so that a scalar and a lane do the same
-// operations in the same order and no type's layout depends on the instruction set.
+// The one door to Eigen: fixed-size matrices without its own vectorizer, so that a plain number and one that
+// records do the same operations in the same order.
 #pragma once
 
 #ifndef EIGEN_DONT_VECTORIZE
 #define EIGEN_DONT_VECTORIZE
 #endif
-// Nor on its alignment: models pass between objects that are compiled for different machines.
+// Nor its alignment: no type's layout depends on what the compiler may use.
 #ifndef EIGEN_MAX_STATIC_ALIGN_BYTES
 #define EIGEN_MAX_STATIC_ALIGN_BYTES 0
 #endif

@@ -1,5 +1,5 @@
-// Brings the parameters of several things of one kind into the lanes of one: every struct of parameters lists its members,
-// and the lists of the narrow and the wide struct are walked together.
+// Parameters from number to number: several things of one kind side by side, and one thing for another number. Every
+// struct of parameters lists its members, and the lists of both structs are walked together.
 #pragma once
 
 #include <array>

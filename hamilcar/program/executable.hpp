@@ -30,7 +30,8 @@ struct CompileReport {
     double seconds = 0;                   // to compile
 };
 
-// May run on many threads at once; allocates nothing, throws nothing.
+// May run on many threads at once; throws nothing. Allocates nothing, but for the portable one: where more than 128 KiB
+// of scratch are needed on more threads at once than ever before.
 class Executable {
 public:
     virtual ~Executable() = default;

@@ -25,12 +25,6 @@ int operand_count(Op op) {
     }
 }
 
-bool is_condition(const std::vector<Node>& nodes, Id id) {
-    const Node* node = &nodes[static_cast<std::size_t>(id)];
-    while (node->op == Op::part || node->op == Op::join) node = &nodes[static_cast<std::size_t>(node->a)];
-    return is_condition(node->op);
-}
-
 namespace {
 
 template <class Number>

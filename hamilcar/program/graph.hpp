@@ -69,7 +69,6 @@ int operand_count(Op op);
 inline bool is_condition(Op op) {
     return op >= Op::truth && op <= Op::opposite;
 }
-bool is_condition(const std::vector<Node>& nodes, Id id);  // also a part of one
 
 // A function outside the list, called once for all lanes: `arguments` and `results` stand number by number, each for all lanes;
 // `detail` is the call's own number. Width 1 throughout.
@@ -91,7 +90,7 @@ struct Region {
 
 struct Output {
     int array, place;
-    Id node;
+    Id node;  // of width 1
     bool operator==(const Output&) const = default;
 };
 

@@ -1,4 +1,4 @@
-// What the core asks of a number, written so that a pack of lanes can answer too: choices are values, never branches.
+// What the core asks of a number, written so that one that records can answer too: choices are values, never branches.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace hamilcar {
 
-// `condition ? yes : no` as a function; lanes overload it with a blend.
+// `condition ? yes : no` as a function; numbers that record overload it.
 template <class T>
 T select(bool condition, const T& yes, const T& no) {
     return condition ? yes : no;
@@ -63,7 +63,7 @@ double value_of(T x) {
     return x;
 }
 
-// The lanes of a number: one of itself, unless it is a pack. `Element` is what a lane holds.
+// The lanes of a number: one of itself, unless it is several side by side. `Element` is what a lane holds.
 template <class T>
 struct Lanes {
     static constexpr int count = 1;

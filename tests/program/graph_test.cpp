@@ -174,8 +174,6 @@ TEST(Graph, KnowsConditions) {
     const std::array mixed{0.0, 2.0};
     const Id open = graph.add(Op::less, graph.constant(mixed), graph.constant(1, 2));
     EXPECT_EQ(graph.node(open).op, Op::less) << "a truth is one throughout";
-    EXPECT_TRUE(is_condition(graph.nodes(), graph.add(Op::part, open, 1)));
-    EXPECT_FALSE(is_condition(graph.nodes(), x));
 }
 
 TEST(Graph, SharesWhatSaysTheSame) {
