@@ -119,7 +119,7 @@ public:
         f.stop = wheel.bump.force(f.travel) - wheel.rebound.force(T(-f.travel));
         ComposedLine<T> line;
         line.length = f.travel;
-        spoke_.linkage.along(Vec3<T>::UnitZ(), velocity_.center[i], wheel.frame, 0, at_.motion, line);
+        spoke_.linkage.along(Vec3<T>::UnitZ(), velocity_.center[i], wheel.frame, 0, at_.own, line);
         push(f.stop + f.bar, line);
     }
 
@@ -147,17 +147,30 @@ public:
         }
     }
 
+    // The equations of motion, once everything has pushed.
+    void finish() {
+        for (int frame = 1; frame <= spoke_.linkage.nq(); ++frame) {
+            if (!loaded_[frame]) continue;
+            const Spatial<T> carried = Q_[frame] - cross_force<T>(world_.hub, h_[frame]);
+            for (int j = 0; j < n_; ++j) {
+                out_.momentum_rate[j] +=
+                    at_.motion.J[frame].col(j).dot(carried) + rates_.motion.J[frame].col(j).dot(h_[frame]);  // (71)
+            }
+            if (with_work_) work_ -= at_.motion.x[frame].dot(carried) + x_rate_[frame].dot(h_[frame]);
+        }
+    }
+
     const Spatial<T>& external() const { return external_; }
     const T& work() const { return work_; }
 
 private:
     // What a body or a wheel on `frame` feels, and its momentum.
     void add(int frame, const Spatial<T>& Q, const Spatial<T>& h) {
-        const Spatial<T> carried = Q - cross_force<T>(world_.hub, h);
-        for (int j = 0; j < n_; ++j) {
-            out_.momentum_rate[j] += at_.motion.J[frame].col(j).dot(carried) + rates_.motion.J[frame].col(j).dot(h);
+        if (loaded_[frame]) {
+            Q_[frame] += Q, h_[frame] += h;
+        } else {
+            Q_[frame] = Q, h_[frame] = h, loaded_[frame] = true;
         }
-        if (with_work_) work_ -= at_.motion.x[frame].dot(carried) + x_rate_[frame].dot(h);
     }
 
     void push(const T& force, const ComposedLine<T>& line) {
@@ -176,7 +189,8 @@ private:
     ComposedMomenta<T>& out_;
     int n_;
     ComposedRates<T> rates_;
-    std::array<Spatial<T>, max_frames> x_rate_;
+    std::array<Spatial<T>, max_frames> x_rate_, Q_, h_;
+    std::array<bool, max_frames> loaded_{};
     Spatial<T> external_;
     T work_{0};
 };
@@ -290,6 +304,7 @@ void composed_momenta(const Model<T>& model, const State<T>& state, const Input<
                 momenta.add_wheel(static_cast<int>(i), {number, number}, bars[wheel], shaft_of(wheel));
             }
             momenta.add_springs();
+            momenta.finish();
             external_of(spoke.unit) += momenta.external();
             work_rate += momenta.work();
         },
@@ -316,6 +331,7 @@ void composed_momenta(const Model<T>& model, const State<T>& state, const Input<
                                   from_places<S>(bars, wheels), shafts ? from_places<S>(*shafts, wheels) : S(T(0)));
             }
             momenta.add_springs();
+            momenta.finish();
             for (int l = 0; l < 2; ++l) {
                 Spatial<T> wrench;
                 unpack(momenta.external(), l, wrench);

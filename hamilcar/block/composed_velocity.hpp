@@ -134,7 +134,7 @@ CondensedHub<T> condense_spoke(const ComposedSpoke<T>& spoke, const T* values, c
     };
     for (std::size_t i = 0; i < spoke.bodies.size(); ++i) {
         const auto& [frame, body] = spoke.bodies[i];
-        const Pose<T>& pose = out.at.pose[frame];
+        const Placement<T>& pose = out.at.pose[frame];
         const auto& J = out.at.motion.J[frame];
         out.inertia[i] =
             SpatialInertia<T>::about_origin(body.mass, pose.point(body.center), body.inertia.rotated(pose.R));
@@ -148,7 +148,7 @@ CondensedHub<T> condense_spoke(const ComposedSpoke<T>& spoke, const T* values, c
     }
     for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
         const ComposedWheel<T>& wheel = spoke.wheels[i];
-        const Pose<T>& pose = out.at.pose[wheel.frame];
+        const Placement<T>& pose = out.at.pose[wheel.frame];
         out.center[i] = pose.point(wheel.wheel.center);
         out.axis[i] = pose.direction(wheel.wheel.axis);
         out.spin_momentum[i] = out.axis[i] * spoke.wheel_state(static_cast<int>(i), values).spin_momentum;
@@ -187,7 +187,7 @@ void condense_trailer(const Trailer<T>& trailer, const T* values, TrailerVelocit
     const int n = trailer.freedoms();
     const T* angles = values + trailer.offset;
     trailer.hitch.find_position(angles, nullptr, RackMotion<T>{}, T(0), out.hitch);
-    out.pose = out.hitch.pose[n];
+    out.pose = out.hitch.pose[n].pose();
     CondensedHub<T> seen;
     Matrix<T, 6, 6> turned;
     for (int j = 0; j < 6; ++j) turned.col(j) = carried_over<T>(out.pose, out.condensed.K.col(j));

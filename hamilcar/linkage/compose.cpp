@@ -15,9 +15,11 @@ const Vec3<double> x_axis = Vec3<double>::UnitX(), y_axis = Vec3<double>::UnitY(
 // Appends a joint's coordinates, each on the frame before.
 void add_freedoms(const TreeJointDescription& joint, int parent, std::vector<Freedom<double>>& to) {
     const Vec3<double> point = vec3(joint.point), axis = vec3(joint.axis);
+    bool turned = false;  // by one of the joint's own
     const auto add = [&](bool slides, const Vec3<double>& direction) {
-        to.push_back({slides ? 1 : 0, parent, point, direction});
+        to.push_back({slides ? 1 : 0, parent, turned ? 1 : 0, point, direction});
         parent = static_cast<int>(to.size());
+        turned = !slides;
     };
     const auto add_rotations = [&] { add(false, z_axis), add(false, x_axis), add(false, y_axis); };
     switch (joint.kind) {
@@ -117,8 +119,9 @@ std::string loose_part(const LinkageDescription& d, const ComposedLinkage<double
     held.topRows(Phi_q.rows()) = Phi_q;
     for (std::size_t i = 0; i < wheels.size(); ++i) {
         const int path = linkage.path[static_cast<std::size_t>(frame_of_part(d, wheels[i].part))];
+        const Vec3<double> from_anchor = vec3(wheels[i].point) - linkage.anchor();
         for (int k = 0; k < held.cols(); ++k) {
-            const double rise = velocity_at<double>(at.B[static_cast<std::size_t>(k)], vec3(wheels[i].point))[2];
+            const double rise = velocity_at<double>(at.B[static_cast<std::size_t>(k)], from_anchor)[2];
             held(Phi_q.rows() + static_cast<Eigen::Index>(i), k) = ((path >> k) & 1) ? rise : 0;
         }
     }

@@ -23,7 +23,9 @@ ComposedLinkage<T> compose_for(const LinkageDescription& linkage) {
     } else {
         const ComposedLinkage<double> one = compose(linkage);
         ComposedLinkage<T> out;
-        for (const auto& f : one.freedoms) out.freedoms.push_back({f.slides, f.parent, as<T>(f.point), as<T>(f.axis)});
+        for (const auto& f : one.freedoms) {
+            out.freedoms.push_back({f.slides, f.parent, f.same_point, as<T>(f.point), as<T>(f.axis)});
+        }
         for (const auto& e : one.equations) {
             out.equations.push_back(
                 {e.plane, e.part, e.base, as<T>(e.tip), as<T>(e.foot), as<T>(e.axis), as<T>(e.drive), T(e.length)});

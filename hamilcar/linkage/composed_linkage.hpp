@@ -31,9 +31,11 @@ template <class T>
 struct Freedom {
     int slides;           // 1 [m], or 0: turns [rad]
     int parent;           // frame
+    int same_point;       // 1: turns about the same point as its parent frame does
     Vec3<T> point, axis;  // in the parent, at design
     static constexpr auto members() {
-        return std::tuple(&Freedom::slides, &Freedom::parent, &Freedom::point, &Freedom::axis);
+        using F = Freedom;
+        return std::tuple(&F::slides, &F::parent, &F::same_point, &F::point, &F::axis);
     }
 };
 
@@ -52,7 +54,17 @@ struct LoopEquation {
     }
 };
 
-// How the frames of a linkage move, per independent coordinate and by themselves, about the hub's origin in its axes.
+// Where a frame is: `mark`, fixed in it at design, has come to `at`.
+template <class T>
+struct Placement {
+    Mat3<T> R;
+    Vec3<T> at, mark;
+    Vec3<T> point(const Vec3<T>& X) const { return at + R * Vec3<T>(X - mark); }
+    Vec3<T> direction(const Vec3<T>& u) const { return R * u; }
+    Pose<T> pose() const { return {R, at - R * mark}; }
+};
+
+// How the frames of a linkage move, per independent coordinate and by themselves.
 template <class T>
 struct FrameMotions {
     std::array<Matrix<T, 6, max_freedoms>, max_frames> J;
@@ -62,26 +74,28 @@ struct FrameMotions {
 
 template <class T>
 struct ComposedPosition {
-    std::array<Pose<T>, max_frames> pose;  // [0] is the hub
-    std::array<Spatial<T>, max_coordinates> B;
-    std::array<Vec3<T>, max_equations> tip, span, gradient;  // P, P - foot, g
-    std::array<Spatial<T>, max_equations> wrench;            // (g ; P x g)
+    std::array<Placement<T>, max_frames> pose;               // [0] is the hub
+    std::array<Spatial<T>, max_coordinates> B;               // about the anchor
+    std::array<Vec3<T>, max_equations> arm, span, gradient;  // P from the anchor, P - foot, g
+    std::array<Spatial<T>, max_equations> wrench;            // (g ; arm x g)
     std::array<T, max_equations> Phi, closing;               // (25); -Phi_w^-1 Phi
     Matrix<T, max_equations, max_equations> Phi_w_inverse;
     T determinant;                                                    // of Phi_w in the order of its pivots
     std::array<std::array<T, max_freedoms>, max_coordinates> follow;  // Y: of every coordinate per independent one
     std::array<T, max_coordinates> creep;                             // X of every coordinate  // (39)
-    FrameMotions<T> motion;
+    FrameMotions<T> own;                                              // about the anchor
+    FrameMotions<T> motion;                                           // about the hub's origin
     ComposedPosition() {}
 };
 
 template <class T>
 struct ComposedRates {
     std::array<T, max_coordinates> q;
-    std::array<Spatial<T>, max_frames> v;          // of the frames, against the hub
+    std::array<Spatial<T>, max_frames> v;          // of the frames, against the hub about the anchor
     std::array<Spatial<T>, max_coordinates> B;     // B'
     std::array<Spatial<T>, max_equations> wrench;  // w'
-    FrameMotions<T> motion;                        // J', and sum B' X in x
+    FrameMotions<T> own;                           // Z, and sum B' X in x, about the anchor
+    FrameMotions<T> motion;                        // J' about the hub's origin
     ComposedRates() {}
 };
 
@@ -121,6 +135,9 @@ struct ComposedLinkage {
     int nV() const { return static_cast<int>(independent.size()); }
     int nW() const { return static_cast<int>(dependent.size()); }
 
+    // A point of the hub that everything turns about first: there the columns of the first joint have no linear part.
+    Vec3<T> anchor() const { return freedoms[0].slides ? Vec3<T>(Vec3<T>::Zero()) : freedoms[0].point; }
+
     // Frames, columns of B and equations at given coordinates.
     void find_loops(const T* V, const T* W, const RackMotion<T>& rack, ComposedPosition<T>& out) const {
         place(V, W, out);
@@ -141,7 +158,8 @@ struct ComposedLinkage {
                        ComposedPosition<T>& out) const {
         find_loops(V, W, rack, out);
         eliminate(rack, alpha, out);
-        collect(out.B, out.follow, out.creep, out.motion);
+        collect(out.B, out.follow, out.creep, out.own);
+        refer(out.own, out.motion);
     }
 
     // One Newton step W <- W - Phi_w^-1 Phi on the closed loops.
@@ -166,24 +184,24 @@ struct ComposedLinkage {
                                   angular(v).cross(angular(at.B[k])));
         }
         for (int e = 0; e < nW(); ++e) out.wrench[e] = wrench_rate(at, out, e, rack);
-        collect(out.B, at.follow, at.creep, out.motion);
+        collect(out.B, at.follow, at.creep, out.own);
         std::array<std::array<T, max_freedoms>, max_coordinates> follow_rate;
         for (int j = 0; j < nV(); ++j) {
             std::array<T, max_equations> bent;
             for (int e = 0; e < nW(); ++e) {
                 const int part = equations[e].part, base = equations[e].base;
-                bent[e] = out.wrench[e].dot(at.motion.J[part].col(j) - at.motion.J[base].col(j)) +
-                          at.wrench[e].dot(out.motion.J[part].col(j) - out.motion.J[base].col(j));
+                bent[e] = out.wrench[e].dot(at.own.J[part].col(j) - at.own.J[base].col(j)) +
+                          at.wrench[e].dot(out.own.J[part].col(j) - out.own.J[base].col(j));
             }
             for (int k = 0; k < nV(); ++k) follow_rate[independent[k]][j] = T(0);
             for (int i = 0; i < nW(); ++i) follow_rate[dependent[i]][j] = -solved(at, i, bent);  // (47)
         }
         std::array<Matrix<T, 6, max_freedoms>, max_frames> turned_out;  // sum B Y'
-        turned_out[0].setZero();
+        turned_out[0].setZero(), out.motion.J[0].setZero();
         for (int k = 0; k < nq(); ++k) {
             for (int j = 0; j < nV(); ++j) {
                 turned_out[k + 1].col(j) = turned_out[freedoms[k].parent].col(j) + at.B[k] * follow_rate[k][j];
-                out.motion.J[k + 1].col(j) += turned_out[k + 1].col(j);
+                out.motion.J[k + 1].col(j) = referred(out.own.J[k + 1].col(j) + turned_out[k + 1].col(j));
             }
         }
     }
@@ -196,8 +214,8 @@ struct ComposedLinkage {
             const LoopEquation<T>& eq = equations[e];
             const Vec3<T> u = at.pose[eq.base].direction(eq.drive), u_rate = angular(rates.v[eq.base]).cross(u);
             const Vec3<T> g = at.gradient[e], g_rate = linear(rates.wrench[e]);
-            bent[e] = rates.wrench[e].dot(at.motion.x[eq.part] - at.motion.x[eq.base]) +
-                      at.wrench[e].dot(rates.motion.x[eq.part] - rates.motion.x[eq.base]) -
+            bent[e] = rates.wrench[e].dot(at.own.x[eq.part] - at.own.x[eq.base]) +
+                      at.wrench[e].dot(rates.own.x[eq.part] - rates.own.x[eq.base]) -
                       alpha * (alpha * at.Phi[e]) -
                       ((g_rate.dot(u) + g.dot(u_rate)) * rack.rate + g.dot(u) * rack.acceleration);
         }
@@ -208,6 +226,7 @@ struct ComposedLinkage {
         for (int k = 0; k < nq(); ++k) {
             out[k + 1] = out[freedoms[k].parent] + rates.B[k] * at.creep[k] + at.B[k] * creep_rate[k];
         }
+        for (int k = 0; k < nq(); ++k) out[k + 1] = referred(out[k + 1]);
     }
 
     // The line of force of a spring or a damper.  // (44)
@@ -225,14 +244,14 @@ struct ComposedLinkage {
         const Vec3<T> d = p - at.pose[where.base].point(where.on_base);
         const T square = d.squaredNorm();
         out.length = sqrt(square);
-        along(Vec3<T>(d * over_root(T(1), square)), p, where.part, where.base, at.motion, out);
+        along(Vec3<T>(d * over_root(T(1), square)), p, where.part, where.base, at.own, out);
         return out;
     }
 
-    // How the motions change the distance of part and base along n through p.
+    // How the motions about the anchor change the distance of part and base along n through p.
     void along(const Vec3<T>& n, const Vec3<T>& p, int part, int base, const FrameMotions<T>& motion,
                ComposedLine<T>& out) const {
-        const Spatial<T> wrench = force_at<T>(p, n);
+        const Spatial<T> wrench = force_at<T>(Vec3<T>(p - anchor()), n);
         for (int j = 0; j < nV(); ++j) out.gradient[j] = wrench.dot(motion.J[part].col(j) - motion.J[base].col(j));
         out.drift = wrench.dot(motion.x[part] - motion.x[base]);
     }
@@ -246,31 +265,34 @@ private:
         std::array<T, max_coordinates> q;
         for (int i = 0; i < nV(); ++i) q[independent[i]] = V[i];
         for (int i = 0; i < nW(); ++i) q[dependent[i]] = W[i];
-        out.pose[0] = {Mat3<T>::Identity(), Vec3<T>::Zero()};
+        out.pose[0] = {Mat3<T>::Identity(), Vec3<T>::Zero(), Vec3<T>::Zero()};
+        std::array<Vec3<T>, max_coordinates> arm;  // of each joint's point, from the anchor
         for (int k = 0; k < nq(); ++k) {
             const Freedom<T>& f = freedoms[k];
-            const Pose<T>& parent = out.pose[f.parent];
+            const Placement<T>& parent = out.pose[f.parent];
             const Vec3<T> e = parent.direction(f.axis);
             if (f.slides) {
-                out.pose[k + 1] = shifted(parent, Vec3<T>(e * q[k]));
+                out.pose[k + 1] = {parent.R, parent.at + e * q[k], parent.mark};
                 out.B[k] = spatial<T>(e, Vec3<T>::Zero());  // (17), A.2
-            } else {
-                out.pose[k + 1] = turned(parent, axis_rotation(f.axis, q[k]), f.point);
-                out.B[k] = spatial<T>(parent.point(f.point).cross(e), e);  // (14), A.2
+                continue;
             }
+            const Vec3<T> at = f.same_point ? parent.at : parent.point(f.point);
+            out.pose[k + 1] = {parent.R * axis_rotation(f.axis, q[k]), at, f.point};
+            arm[k] = k == 0 ? Vec3<T>(Vec3<T>::Zero()) : f.same_point ? arm[f.parent - 1] : Vec3<T>(at - anchor());
+            out.B[k] = spatial<T>(arm[k].cross(e), e);  // (14), A.2
         }
     }
 
     void evaluate_loops(const RackMotion<T>& rack, ComposedPosition<T>& out) const {
         for (int e = 0; e < static_cast<int>(equations.size()); ++e) {
             const LoopEquation<T>& eq = equations[e];
-            const Pose<T>& base = out.pose[eq.base];
+            const Placement<T>& base = out.pose[eq.base];
             const Vec3<T> P = out.pose[eq.part].point(eq.tip);
             const Vec3<T> d = P - base.point(Vec3<T>(eq.foot + eq.drive * rack.displacement));
             const Vec3<T> g = eq.plane ? base.direction(eq.axis) : Vec3<T>(T(2) * d);
             out.Phi[e] = eq.plane ? T(g.dot(d)) : T(d.squaredNorm() - eq.length * eq.length);  // (21), (23)
-            out.tip[e] = P, out.span[e] = d, out.gradient[e] = g;
-            out.wrench[e] = force_at<T>(P, g);  // (26), A.3
+            out.arm[e] = P - anchor(), out.span[e] = d, out.gradient[e] = g;
+            out.wrench[e] = force_at<T>(out.arm[e], g);  // (26), A.3
         }
     }
 
@@ -280,7 +302,20 @@ private:
         return sum;
     }
 
-    void eliminate(const RackMotion<T>& rack, const T& alpha, ComposedPosition<T>& out) const {
+    // Small ones by cofactors, which no order of pivots can fail.
+    void invert_dependent(ComposedPosition<T>& out) const {
+        const auto invert = [&](auto size) {
+            constexpr int n = size;
+            Matrix<T, n, n> Phi_w;
+            for (int r = 0; r < n; ++r) {
+                for (int c = 0; c < n; ++c) Phi_w(r, c) = entry(out, r, dependent[c]);
+            }
+            const auto [matrix, determinant] = inverse<T>(Phi_w);
+            out.Phi_w_inverse.template topLeftCorner<n, n>() = matrix;
+            out.determinant = determinant;
+        };
+        if (nW() == 1) return invert(std::integral_constant<int, 1>());
+        if (nW() == 3) return invert(std::integral_constant<int, 3>());
         Matrix<T, max_equations, max_equations> ordered;
         for (int r = 0; r < nW(); ++r) {
             for (int c = 0; c < nW(); ++c) {
@@ -293,6 +328,10 @@ private:
                 out.Phi_w_inverse(pivot_dependent[c], pivot_equation[r]) = ordered(c, r);
             }
         }
+    }
+
+    void eliminate(const RackMotion<T>& rack, const T& alpha, ComposedPosition<T>& out) const {
+        invert_dependent(out);
         for (int j = 0; j < nV(); ++j) {
             std::array<T, max_equations> Phi_v;
             for (int e = 0; e < nW(); ++e) Phi_v[e] = entry(out, e, independent[j]);
@@ -308,6 +347,18 @@ private:
         for (int i = 0; i < nW(); ++i) {
             out.creep[dependent[i]] = -solved(out, i, driven);
             out.closing[i] = -solved(out, i, out.Phi);
+        }
+    }
+
+    // From the anchor to the hub's origin.
+    Spatial<T> referred(const Spatial<T>& motion) const {
+        return spatial<T>(linear(motion) - angular(motion).cross(anchor()), angular(motion));
+    }
+    void refer(const FrameMotions<T>& from, FrameMotions<T>& to) const {
+        to.J[0].setZero(), to.x[0].setZero();
+        for (int frame = 1; frame <= nq(); ++frame) {
+            for (int j = 0; j < nV(); ++j) to.J[frame].col(j) = referred(from.J[frame].col(j));
+            to.x[frame] = referred(from.x[frame]);
         }
     }
 
@@ -328,7 +379,7 @@ private:
                            const RackMotion<T>& rack) const {
         const LoopEquation<T>& eq = equations[e];
         const Spatial<T>&v = rates.v[eq.part], &v_base = rates.v[eq.base];
-        const Vec3<T> P = at.tip[e], P_rate = velocity_at<T>(v, P);
+        const Vec3<T> P = at.arm[e], P_rate = velocity_at<T>(v, P);
         Vec3<T> g_rate;
         if (eq.plane) {
             g_rate = angular(v_base).cross(at.gradient[e]);

@@ -38,7 +38,7 @@ PartPose pose_of_composed(const ComposedSpokeDescription& spoke, std::size_t i) 
         frames.push_back(static_cast<std::size_t>(frame_of_part(spoke.linkage, part)));
     }
     return
-        [i, frames](const Sample& s, std::size_t part) { return s.velocity.composed.spokes[i].at.pose[frames[part]]; };
+        [i, frames](const Sample& s, std::size_t part) { return s.velocity.composed.spokes[i].at.pose[frames[part]].pose(); };
 }
 
 // The uniform box that has the body's mass and inertia.

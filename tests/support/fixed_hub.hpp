@@ -64,7 +64,7 @@ public:
     Pose<double> pose(std::size_t i) const {
         ComposedPosition<double> at;
         spoke().linkage.find_loops(numbers().independent, numbers().dependent, {}, at);
-        return at.pose[static_cast<std::size_t>(spoke().bodies[i].frame)];
+        return at.pose[static_cast<std::size_t>(spoke().bodies[i].frame)].pose();
     }
     double violation() const { return violation_; }  // largest |Phi| met [m]
 
@@ -73,7 +73,7 @@ public:
         const ComposedVelocity<double> at = velocities().spokes[0];
         double sum = 0;
         for (std::size_t i = 0; i < spoke().bodies.size(); ++i) {
-            const Spatial<double>& motion = at.motion[static_cast<std::size_t>(spoke().bodies[i].frame)];
+            const Spatial<double>& motion = at.motion[static_cast<std::size_t>(spoke().bodies[i].frame)].pose();
             sum += 0.5 * motion.dot(at.inertia[i] * motion) - at.inertia[i].moment.dot(gravity_);
         }
         for (const ComposedSpring<double>& s : spoke().springs) {
