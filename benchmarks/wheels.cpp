@@ -17,44 +17,44 @@ void shift(Point& point, double x) {
 }
 
 // The same suspension further back.
-ComposedSpokeDescription moved(ComposedSpokeDescription spoke, double x, const std::string& name) {
+SuspensionDescription moved(SuspensionDescription spoke, double x, const std::string& name) {
     spoke.name = name;
     for (TreeJointDescription& joint : spoke.linkage.joints) shift(joint.point, x);
     for (CutJointDescription& cut : spoke.linkage.cuts) shift(cut.tip, x), shift(cut.foot, x);
-    for (ComposedBodyDescription& body : spoke.bodies) shift(body.body.center_of_mass, x);
-    for (ComposedWheelDescription& wheel : spoke.wheels) {
+    for (SuspensionBodyDescription& body : spoke.bodies) shift(body.body.center_of_mass, x);
+    for (SuspensionWheelDescription& wheel : spoke.wheels) {
         shift(wheel.wheel.center, x);
         wheel.drive_share = 0;
     }
-    for (ComposedSpringDescription& spring : spoke.springs)
+    for (SuspensionSpringDescription& spring : spoke.springs)
         shift(spring.line.on_part, x), shift(spring.line.on_base, x);
-    for (ComposedDamperDescription& damper : spoke.dampers)
+    for (SuspensionDamperDescription& damper : spoke.dampers)
         shift(damper.line.on_part, x), shift(damper.line.on_base, x);
     return spoke;
 }
 
 // Spokes named like `pattern`, as many as carry so many wheels, one meter apart under a frame that weighs as they can bear.
 VehicleDescription on_one_frame(const VehicleDescription& from, const std::string& pattern, int wheels) {
-    std::vector<ComposedSpokeDescription> group;
-    for (const ComposedSpokeDescription& spoke : from.composed) {
+    std::vector<SuspensionDescription> group;
+    for (const SuspensionDescription& spoke : from.suspensions) {
         if (spoke.name.starts_with(pattern)) group.push_back(spoke);
     }
     int per_group = 0;
-    for (const ComposedSpokeDescription& spoke : group) per_group += static_cast<int>(spoke.wheels.size());
+    for (const SuspensionDescription& spoke : group) per_group += static_cast<int>(spoke.wheels.size());
     const int groups = wheels / per_group;
     VehicleDescription out = from;
-    out.corners.clear(), out.anti_roll_bars.clear(), out.composed.clear(), out.composed_bars.clear(),
-        out.trailers.clear();
+    out.suspensions.clear(), out.anti_roll_bars.clear(), out.trailers.clear();
     out.hull = {};
     const double first = group[0].wheels[0].wheel.center[0];
     for (int i = 0; i < groups; ++i) {
-        for (const ComposedSpokeDescription& spoke : group) {
-            out.composed.push_back(moved(spoke, -first - i, fmt::format("{}_{}", spoke.name, i)));
+        for (const SuspensionDescription& spoke : group) {
+            out.suspensions.push_back(moved(spoke, -first - i, fmt::format("{}_{}", spoke.name, i)));
         }
     }
     double carried = 0;
-    for (const ComposedSpringDescription& spring : out.composed[0].springs) carried += spring.spring.force_at_design;
-    out.chassis.mass = 0.9 * carried * (out.composed.size()) / 9.81;
+    for (const SuspensionSpringDescription& spring : out.suspensions[0].springs)
+        carried += spring.spring.force_at_design;
+    out.chassis.mass = 0.9 * carried * (out.suspensions.size()) / 9.81;
     out.chassis.center_of_mass = {-0.5 * (groups - 1), 0, 1};
     const double m = out.chassis.mass, length = groups;
     out.chassis.inertia = {m, m * (1 + length * length / 12), m * (1 + length * length / 12)};
@@ -65,7 +65,7 @@ VehicleDescription on_one_frame(const VehicleDescription& from, const std::strin
 // The axles of that frame two by two under a motor vehicle and up to eight trailers, each on a ball.
 VehicleDescription as_a_train(const VehicleDescription& from, int wheels) {
     VehicleDescription out = on_one_frame(from, "rear_1", wheels);
-    const std::size_t axles = out.composed.size(), units = std::max<std::size_t>(1, axles / 2);
+    const std::size_t axles = out.suspensions.size(), units = std::max<std::size_t>(1, axles / 2);
     out.chassis.mass /= static_cast<double>(units);
     const double m = out.chassis.mass;
     out.chassis.inertia = {m, m, m}, out.chassis.center_of_mass = {-0.5, 0, 1};
@@ -78,7 +78,7 @@ VehicleDescription as_a_train(const VehicleDescription& from, int wheels) {
         trailer.hitch_point = {front + 0.5, 0, 0.8};
         out.trailers.push_back(trailer);
     }
-    for (std::size_t i = 0; i < axles; ++i) out.composed[i].unit = std::min(i / 2, units - 1);
+    for (std::size_t i = 0; i < axles; ++i) out.suspensions[i].unit = std::min(i / 2, units - 1);
     return out;
 }
 

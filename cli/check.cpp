@@ -24,26 +24,24 @@ ScenarioDescription standing_still(const std::string& vehicle_path) {
     return scenario;
 }
 
-// Loads of a spoke's wheels on the road, wheel by wheel [N].
-nlohmann::json loads(const Sample& sample, std::size_t spoke) {
-    const std::size_t corners = sample.model.vehicle.spokes.size();
-    if (spoke < corners) return nlohmann::json::array({sample.momenta.spokes[spoke].forces.tire.Fz});
+// Loads of a suspension's wheels on the road, wheel by wheel [N].
+nlohmann::json loads(const Sample& sample, std::size_t number) {
     nlohmann::json out = nlohmann::json::array();
-    const ComposedSpoke<double>& composed = sample.model.vehicle.composed[spoke - corners];
-    for (std::size_t i = 0; i < composed.wheels.size(); ++i) {
+    const Suspension<double>& suspension = sample.model.vehicle.suspensions[number];
+    for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
         double load = 0;
-        for (int k = 0; k < composed.wheels[i].tires; ++k) {
-            load +=
-                sample.momenta.composed.spokes[spoke - corners].wheels[i].tires[static_cast<std::size_t>(k)].tire.Fz;
+        for (int k = 0; k < suspension.wheels[i].tires; ++k) {
+            load += sample.momenta.suspensions[number].wheels[i].tires[static_cast<std::size_t>(k)].tire.Fz;
         }
         out.push_back(load);
     }
     return out;
 }
 
-// The paper's way of counting, which has one body a spoke; null for a vehicle of other shape.
+// The paper's way of counting, which has one body a suspension; null for a vehicle of other shape.
 nlohmann::json table_2(const Structure& counted) {
-    if (counted.bodies != 1 + static_cast<int>(counted.spokes.size()) || counted.hitch_freedoms > 0) return nullptr;
+    if (counted.bodies != 1 + static_cast<int>(counted.suspensions.size()) || counted.hitch_freedoms > 0)
+        return nullptr;
     int constraints = 0;
     nlohmann::json rows = nlohmann::json::array();
     for (const ConstraintRow& row : paper_table_2(counted, false)) {
@@ -66,21 +64,21 @@ nlohmann::json tire_notes(const VehicleDescription& vehicle) {
 nlohmann::json describe(const Simulation& simulation, const VehicleDescription& recorded, const std::string& file) {
     const Structure counted = structure(simulation.model().vehicle, simulation.vehicle());
     const Sample sample = simulation.sample();
-    nlohmann::json spokes = nlohmann::json::array();
-    for (std::size_t i = 0; i < counted.spokes.size(); ++i) {
-        const SpokeStructure& spoke = counted.spokes[i];
+    nlohmann::json suspensions = nlohmann::json::array();
+    for (std::size_t i = 0; i < counted.suspensions.size(); ++i) {
+        const SuspensionStructure& suspension = counted.suspensions[i];
         const LoopReport loop =
             inspect_loops(simulation.model(), sample.input.rack, simulation.state(), static_cast<int>(i));
-        spokes.push_back({{"name", spoke.name},
-                          {"suspension", spoke.suspension},
-                          {"tree_joints", spoke.joints},
-                          {"cut_joints", spoke.cuts},
-                          {"independent", spoke.independent},
-                          {"dependent", spoke.dependent},
-                          {"cut_equations", spoke.cut_equations},
-                          {"opening_m", loop.opening},
-                          {"mobility", loop.mobility},
-                          {"static_load_N", loads(sample, i)}});
+        suspensions.push_back({{"name", suspension.name},
+                               {"suspension", suspension.suspension},
+                               {"tree_joints", suspension.joints},
+                               {"cut_joints", suspension.cuts},
+                               {"independent", suspension.independent},
+                               {"dependent", suspension.dependent},
+                               {"cut_equations", suspension.cut_equations},
+                               {"opening_m", loop.opening},
+                               {"mobility", loop.mobility},
+                               {"static_load_N", loads(sample, i)}});
     }
     nlohmann::json channels = nlohmann::json::array();
     for (const Channel& channel : all_channels(recorded)) {
@@ -96,7 +94,7 @@ nlohmann::json describe(const Simulation& simulation, const VehicleDescription& 
             {"degrees_of_freedom", counted.degrees_of_freedom},
             {"hitch_freedoms", counted.hitch_freedoms},
             {"wheel_spins", counted.wheel_spins},
-            {"spokes", spokes},
+            {"suspensions", suspensions},
             {"table_2", table_2(counted)},
             {"notes", tire_notes(simulation.vehicle())},
             {"channels", channels}};
@@ -112,20 +110,20 @@ std::string report(const nlohmann::json& facts) {
     std::string s =
         fmt::format("{}: ok\n{}, {:.1f} kg, {} bodies\n\n", facts["file"].get<std::string>(),
                     facts["vehicle"].get<std::string>(), facts["mass_kg"].get<double>(), facts["bodies"].get<int>());
-    for (const auto& spoke : facts["spokes"]) {
+    for (const auto& suspension : facts["suspensions"]) {
         std::string on_road;
-        for (const auto& load : spoke["static_load_N"]) {
+        for (const auto& load : suspension["static_load_N"]) {
             on_road += fmt::format("{}{:.0f} N", on_road.empty() ? "" : " and ", load.get<double>());
         }
-        s += fmt::format("{} ({}), {} on the road\n", spoke["name"].get<std::string>(),
-                         spoke["suspension"].get<std::string>(), on_road);
-        s += fmt::format("  tree joints   {}\n  cut joints    {}\n", join(spoke["tree_joints"]),
-                         join(spoke["cut_joints"]));
-        s += fmt::format("  independent   {}\n  dependent     {}\n", join(spoke["independent"]),
-                         join(spoke["dependent"]));
-        if (spoke["cut_equations"].get<int>() > 0) {
+        s += fmt::format("{} ({}), {} on the road\n", suspension["name"].get<std::string>(),
+                         suspension["suspension"].get<std::string>(), on_road);
+        s += fmt::format("  tree joints   {}\n  cut joints    {}\n", join(suspension["tree_joints"]),
+                         join(suspension["cut_joints"]));
+        s += fmt::format("  independent   {}\n  dependent     {}\n", join(suspension["independent"]),
+                         join(suspension["dependent"]));
+        if (suspension["cut_equations"].get<int>() > 0) {
             s += fmt::format("  loops         closed within {:.1e} m, mobility {:.3f} (0 would be locked)\n",
-                             spoke["opening_m"].get<double>(), spoke["mobility"].get<double>());
+                             suspension["opening_m"].get<double>(), suspension["mobility"].get<double>());
         }
     }
     for (const auto& note : facts["notes"]) s += fmt::format("\nnote: {}", note.get<std::string>());

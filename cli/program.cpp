@@ -103,7 +103,7 @@ std::string explanation(const VehicleDescription& vehicle, const TurnTrace& trac
     for (const int place : trace.closing_places) places += fmt::format(" {}", place);
     return fmt::format(
         "/* One turn of the ring (rates of the state) of \"{}\", by hamilcar {}. SI units; ISO 8855 axes.\n"
-        "   arrays[0], read: the state, {} numbers as in docs/results.md, \"state\"\n"
+        "   arrays[0], read: the state, {} numbers as in hamilcar/vehicle/state.hpp\n"
         "   arrays[1], read: rack displacement [m], rate [m/s], acceleration [m/s^2], drive torque [N m], brake [0 to "
         "1],\n"
         "     throttle [0 to 1], clutch pedal [0 to 1], gear, wind x and y [m/s]\n"

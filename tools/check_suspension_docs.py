@@ -13,7 +13,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGES = ROOT / "docs/suspensions"
 STRING = r'"(?:[^"\\]|\\.)*"'
-KEY = re.compile(r'\{\s*"(\w+)",\s*(?:HardpointKind::)?(point|direction|flag|number),\s*((?:' + STRING + r'\s*)+)'
+KEY = re.compile(r'\{\s*"(\w+)",\s*(?:HardpointKind::)?(point|direction|flag|number|length),\s*((?:' + STRING + r'\s*)+)'
                  r'(?:,\s*\{([^{}]*)\})?(?:,\s*(true|false))?\s*\}')
 NAMED = re.compile(r"\bHardpointKey (\w+)(\{.*?\});", re.S)
 RECIPE = re.compile(r"^const Recipe (\w+)_recipe\{(.*?)\};$", re.M | re.S)
@@ -63,6 +63,8 @@ def stated_default(kind, default):
         return None
     if kind == "point":
         return "required"
+    if kind == "length":
+        return "from the points"
     numbers = [float(x) for x in (default or "0").split(",")]
     return {"flag": str(bool(numbers[0])).lower(), "number": f"{numbers[0]:g}",
             "direction": "`[" + ", ".join(f"{x:g}" for x in numbers) + "]`"}[kind]
@@ -101,7 +103,7 @@ def problems():
             yield f"hamilcar/suspension: '{keyword}' or its keys not found; is it written as the others are?"
     # Keys that are read elsewhere: of the corners with a program of their own, of a rocker, of rigid bodies.
     own = set(re.findall(r'"(\w+_m)"', (ROOT / "hamilcar/io/axle_file.cpp").read_text()))
-    axle_file = (ROOT / "hamilcar/io/composed_axle_file.cpp").read_text()
+    axle_file = (ROOT / "hamilcar/io/axle_file.cpp").read_text()
     rocker = keys_in(re.search(r"rocker_keys\{(.*?)\};", axle_file, re.S)[1], {})
     body = set(re.findall(r'table\.\w+(?:<3>)?\("(\w+)"', (ROOT / "hamilcar/io/body_file.cpp").read_text()))
     index = (PAGES / "README.md").read_text() if (PAGES / "README.md").is_file() else ""

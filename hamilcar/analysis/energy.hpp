@@ -2,7 +2,7 @@
 // (docs/theory/formulation.md, energy). The drift, sum x.h, is what the prescribed rack's motion carries.
 #pragma once
 
-#include <vector>
+#include <array>
 
 #include "hamilcar/block/momenta.hpp"
 
@@ -14,22 +14,23 @@ struct Energy {
     T balance() const { return kinetic + potential - drift - work; }
 };
 
-// Of one composed suspension; `height` of a point in the axes of its unit.
+// Of one suspension; `height` of a point in the axes of its unit.
 template <class T, class Height>
-void add_spoke_energy(const ComposedSpoke<T>& spoke, const ComposedVelocity<T>& at, const ComposedMomenta<T>& momenta,
-                      const State<T>& state, const T& gravity, const Height& height, Energy<T>& e) {
-    for (std::size_t i = 0; i < spoke.bodies.size(); ++i) {
-        const auto& [frame, body] = spoke.bodies[i];
+void add_energy_of(const Suspension<T>& suspension, const SuspensionVelocity<T>& at,
+                   const SuspensionMomenta<T>& momenta, const State<T>& state, const T& gravity, const Height& height,
+                   Energy<T>& e) {
+    for (std::size_t i = 0; i < suspension.bodies.size(); ++i) {
+        const auto& [frame, body] = suspension.bodies[i];
         const Spatial<T>& motion = at.motion[frame];
         const Spatial<T> Mv = at.inertia[i] * motion;
         e.kinetic += T(0.5) * motion.dot(Mv);
         e.potential += body.mass * gravity * height(at.at.pose[frame].point(body.center));
         e.drift += at.at.motion.x[frame].dot(Mv);
     }
-    for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
-        const ComposedWheel<T>& wheel = spoke.wheels[i];
-        const T p_s = spoke.wheel_state(static_cast<int>(i), state.values.data()).spin_momentum;
-        const ComposedWheelForces<T>& f = momenta.wheels[i];
+    for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
+        const SuspensionWheel<T>& wheel = suspension.wheels[i];
+        const T p_s = suspension.wheel_state(static_cast<int>(i), state.values.data()).spin_momentum;
+        const WheelForces<T>& f = momenta.wheels[i];
         e.kinetic += T(0.5) * p_s * p_s / wheel.wheel.spin_inertia;
         e.potential += wheel.bump.potential(f.travel) + wheel.rebound.potential(T(-f.travel));
         for (int k = 0; k < wheel.tires; ++k) {
@@ -38,38 +39,38 @@ void add_spoke_energy(const ComposedSpoke<T>& spoke, const ComposedVelocity<T>& 
         }
         e.drift += angular(at.at.motion.x[wheel.frame]).dot(at.spin_momentum[i]);
     }
-    for (std::size_t i = 0; i < spoke.springs.size(); ++i) {
-        e.potential += spoke.springs[i].spring.potential(momenta.springs[i].length);
+    for (std::size_t i = 0; i < suspension.springs.size(); ++i) {
+        e.potential += suspension.springs[i].spring.potential(momenta.springs[i].length);
     }
 }
 
-// Composed suspensions, the bars between their wheels, trailers.
+// Suspensions, the bars between their wheels, trailers.
 template <class T>
-void add_composed_energy(const Model<T>& model, const State<T>& state, const Velocity<T>& velocity,
-                         const Momenta<T>& momenta, Energy<T>& e) {
+void add_suspension_energy(const Model<T>& model, const State<T>& state, const Velocity<T>& velocity,
+                           const Momenta<T>& momenta, Energy<T>& e) {
     const Vehicle<T>& vehicle = model.vehicle;
-    std::vector<UnitPlace<T>> places{{state.position(), velocity.R_GC}};
+    std::array<UnitPlace<T>, max_trailers + 1> places;
+    places[0] = {state.position(), velocity.R_GC};
     const auto height_in = [&](std::size_t unit) {
         return [&place = places[unit]](const Vec3<T>& p) { return place.R.row(2).dot(p) + place.position[2]; };
     };
-    places.reserve(vehicle.trailers.size() + 1);
     for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
         const Trailer<T>& trailer = vehicle.trailers[i];
-        const TrailerVelocity<T>& at = velocity.composed.trailers[i];
-        places.push_back(behind(places[static_cast<std::size_t>(trailer.tow)], at.pose));
+        const TrailerVelocity<T>& at = velocity.trailers[i];
+        places[i + 1] = behind(places[static_cast<std::size_t>(trailer.tow)], at.pose);
         e.kinetic += T(0.5) * at.motion.dot(trailer.chassis_inertia * at.motion);
         e.potential += trailer.chassis.mass * vehicle.gravity * height_in(i + 1)(trailer.chassis.center);
     }
-    std::vector<T> travel;
-    for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
-        const ComposedSpoke<T>& spoke = vehicle.composed[s];
-        add_spoke_energy(spoke, velocity.composed.spokes[s], momenta.composed.spokes[s], state, vehicle.gravity,
-                         height_in(static_cast<std::size_t>(spoke.unit)), e);
-        for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
-            travel.push_back(momenta.composed.spokes[s].wheels[i].travel);
+    std::array<T, max_vehicle_wheels> travel;
+    for (std::size_t s = 0; s < vehicle.suspensions.size(); ++s) {
+        const Suspension<T>& suspension = vehicle.suspensions[s];
+        add_energy_of(suspension, velocity.suspensions[s], momenta.suspensions[s], state, vehicle.gravity,
+                      height_in(static_cast<std::size_t>(suspension.unit)), e);
+        for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
+            travel[static_cast<std::size_t>(suspension.first_wheel) + i] = momenta.suspensions[s].wheels[i].travel;
         }
     }
-    for (const AntiRollBar<T>& bar : vehicle.composed_bars) {
+    for (const AntiRollBar<T>& bar : vehicle.anti_roll_bars) {
         const T difference = travel[bar.left] - travel[bar.right];
         e.potential += T(0.5) * bar.rate * difference * difference;
     }
@@ -99,24 +100,7 @@ Energy<T> energy(const Model<T>& model, const State<T>& state, const Velocity<T>
                   vehicle.hull.potential(hull_road(model, state, velocity));
     e.drift = T(0);
     e.work = state.work();
-    for (int i = 0; i < vehicle.spoke_count(); ++i) {
-        visit_spoke(vehicle, velocity, i, [&](const Spoke<T>& spoke, const auto&, const auto& at) {
-            const SpokeForces<T>& f = momenta.spokes[i].forces;
-            const T p_s = state.spoke(i).spin_momentum;
-            const Spatial<T> Mv = at.inertia * at.motion;
-            e.kinetic += T(0.5) * (at.motion.dot(Mv) + p_s * p_s / spoke.wheel.spin_inertia);
-            e.potential += spoke.carrier.mass * vehicle.gravity * height(at.position.pose.point(spoke.carrier.center)) +
-                           spoke.spring.potential(f.spring_length) + spoke.bump.potential(f.travel) +
-                           spoke.rebound.potential(T(-f.travel)) +
-                           std::visit([&](const auto& tire) { return tire.potential(f.frame.depth); }, spoke.tire);
-            e.drift += at.position.x.dot(Mv) + angular(at.position.x).dot(at.spin_momentum);
-        });
-    }
-    for (const AntiRollBar<T>& bar : vehicle.anti_roll_bars) {
-        const T difference = momenta.spokes[bar.left].forces.travel - momenta.spokes[bar.right].forces.travel;
-        e.potential += T(0.5) * bar.rate * difference * difference;
-    }
-    if (vehicle.has_composed()) add_composed_energy(model, state, velocity, momenta, e);
+    add_suspension_energy(model, state, velocity, momenta, e);
     return e;
 }
 

@@ -4,23 +4,6 @@ namespace hamilcar {
 
 namespace {
 
-template <class S>
-SpokeStructure describe(const S& suspension, const std::string& corner) {
-    using Linkage = typename S::Linkage;
-    SpokeStructure out{.name = corner, .suspension = std::string(S::keyword)};
-    std::apply([&](const auto&... joint) { (out.joints.emplace_back(joint.name), ...); }, suspension.linkage.joints);
-    std::size_t cut = 0;
-    suspension.linkage.visit_cuts([&](const auto& joint, int, int) {
-        out.cuts.push_back(std::string(suspension.cut_names[cut++]) + " (" + std::string(joint.name) + ")");
-    });
-    for (int i : Linkage::independent_indices())
-        out.independent.emplace_back(suspension.coordinate_names[static_cast<std::size_t>(i)]);
-    for (int i : Linkage::dependent_indices())
-        out.dependent.emplace_back(suspension.coordinate_names[static_cast<std::size_t>(i)]);
-    out.cut_equations = Linkage::equations;
-    return out;
-}
-
 std::string_view name_of(TreeJoint kind) {
     constexpr std::string_view names[] = {"revolute", "prismatic", "universal", "spherical", "free"};
     return names[static_cast<std::size_t>(kind)];
@@ -46,8 +29,8 @@ std::vector<std::string> coordinate_names(const LinkageDescription& linkage) {
     return out;
 }
 
-SpokeStructure describe(const ComposedSpokeDescription& d, const ComposedLinkage<double>& linkage) {
-    SpokeStructure out{.name = d.name, .suspension = d.suspension};
+SuspensionStructure describe(const SuspensionDescription& d, const Linkage<double>& linkage) {
+    SuspensionStructure out{.name = d.name, .suspension = d.keyword};
     for (const TreeJointDescription& joint : d.linkage.joints) {
         out.joints.push_back(joint.part + " (" + std::string(name_of(joint.kind)) + ")");
     }
@@ -65,25 +48,13 @@ SpokeStructure describe(const ComposedSpokeDescription& d, const ComposedLinkage
 
 Structure structure(const Vehicle<double>& vehicle, const VehicleDescription& description) {
     Structure out;
-    std::vector<std::string> corner_names;
-    for (const CornerDescription& corner : description.corners) corner_names.push_back(corner.name);
-    for (std::size_t i = 0; i < vehicle.spokes.size(); ++i) {
-        out.spokes.push_back(
-            std::visit([&](const auto& s) { return describe(s, corner_names[i]); }, vehicle.spokes[i].suspension));
-        const SpokeStructure& spoke = out.spokes.back();
-        out.bodies += 1;
-        out.coordinates += static_cast<int>(spoke.independent.size() + spoke.dependent.size());
-        out.cut_equations += spoke.cut_equations;
-        out.degrees_of_freedom += static_cast<int>(spoke.independent.size());
-        out.wheel_spins += 1;
-    }
-    for (std::size_t i = 0; i < vehicle.composed.size(); ++i) {
-        out.spokes.push_back(describe(description.composed[i], vehicle.composed[i].linkage));
-        out.bodies += static_cast<int>(vehicle.composed[i].bodies.size());
-        out.coordinates += vehicle.composed[i].linkage.nq();
-        out.cut_equations += out.spokes.back().cut_equations;
-        out.degrees_of_freedom += vehicle.composed[i].linkage.nV();
-        out.wheel_spins += static_cast<int>(vehicle.composed[i].wheels.size());
+    for (std::size_t i = 0; i < vehicle.suspensions.size(); ++i) {
+        out.suspensions.push_back(describe(description.suspensions[i], vehicle.suspensions[i].linkage));
+        out.bodies += static_cast<int>(vehicle.suspensions[i].bodies.size());
+        out.coordinates += vehicle.suspensions[i].linkage.nq();
+        out.cut_equations += out.suspensions.back().cut_equations;
+        out.degrees_of_freedom += vehicle.suspensions[i].linkage.nV();
+        out.wheel_spins += static_cast<int>(vehicle.suspensions[i].wheels.size());
     }
     for (const Trailer<double>& trailer : vehicle.trailers) {
         out.bodies += 1;
@@ -96,12 +67,12 @@ Structure structure(const Vehicle<double>& vehicle, const VehicleDescription& de
 std::vector<ConstraintRow> paper_table_2(const Structure& structure, bool with_driver) {
     std::vector<ConstraintRow> rows;
     constexpr int body_freedom = 6;
-    for (const SpokeStructure& spoke : structure.spokes) {
-        const int tree = static_cast<int>(spoke.independent.size() + spoke.dependent.size());
-        rows.push_back({"tree joint of " + spoke.name, body_freedom - tree});
-        for (const std::string& cut : spoke.cuts) {
+    for (const SuspensionStructure& suspension : structure.suspensions) {
+        const int tree = static_cast<int>(suspension.independent.size() + suspension.dependent.size());
+        rows.push_back({"tree joint of " + suspension.name, body_freedom - tree});
+        for (const std::string& cut : suspension.cuts) {
             const bool two = cut.ends_with("(revolute-spherical)") || cut.ends_with("(line)");
-            rows.push_back({cut + " of " + spoke.name, two ? 2 : cut.ends_with("(spherical)") ? 3 : 1});
+            rows.push_back({cut + " of " + suspension.name, two ? 2 : cut.ends_with("(spherical)") ? 3 : 1});
         }
     }
     if (with_driver) rows.push_back({"driving constraint of the rack", 1});

@@ -8,8 +8,8 @@
 
 namespace hamilcar {
 
-struct SpokeStructure {
-    std::string name;                       // of the corner or composed suspension
+struct SuspensionStructure {
+    std::string name;
     std::string suspension;                 // keyword
     std::vector<std::string> joints, cuts;  // with their kinds
     std::vector<std::string> independent, dependent;
@@ -17,7 +17,7 @@ struct SpokeStructure {
 };
 
 struct Structure {
-    std::vector<SpokeStructure> spokes;
+    std::vector<SuspensionStructure> suspensions;
     int bodies = 1;       // chassis and carriers; wheels only spin
     int coordinates = 6;  // Z, V, W
     int cut_equations = 0;

@@ -69,7 +69,7 @@ double steer_per_rack(const WheelMotion& left, const WheelMotion& right) {
         return steer_rate(wheel, motion);
     };
     const double of_left = rate(left);
-    if (shares_spoke(left, right)) next = 0;
+    if (share_suspension(left, right)) next = 0;
     return 0.5 * (of_left + rate(right));
 }
 

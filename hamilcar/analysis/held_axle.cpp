@@ -22,14 +22,12 @@ HeldAxle::HeldAxle(const VehicleDescription& vehicle, const Model<double>& model
     : vehicle_(&vehicle), model_(&model), axle_(axle) {
     state_ = design_state(model, Vec3<double>::Zero(), Mat3<double>::Identity());
     assemble(model, {}, state_);
-    const auto corners = model.vehicle.spokes.size();
     for (const std::size_t wheel : {axle.left, axle.right}) {
-        if (wheel < corners) loops_.push_back(static_cast<int>(wheel));
-        for (std::size_t s = 0; wheel >= corners && s < model.vehicle.composed.size(); ++s) {
-            const ComposedSpoke<double>& spoke = model.vehicle.composed[s];
-            const std::size_t first = corners + static_cast<std::size_t>(spoke.first_wheel);
-            const bool carries = wheel >= first && wheel < first + spoke.wheels.size();
-            if (carries) loops_.push_back(static_cast<int>(corners + s));
+        for (std::size_t s = 0; s < model.vehicle.suspensions.size(); ++s) {
+            const Suspension<double>& suspension = model.vehicle.suspensions[s];
+            const auto first = static_cast<std::size_t>(suspension.first_wheel);
+            const bool carries = wheel >= first && wheel < first + suspension.wheels.size();
+            if (carries) loops_.push_back(static_cast<int>(s));
         }
     }
 }
@@ -69,7 +67,7 @@ double HeldAxle::turned_since(const std::vector<WheelMotion>& earlier) const {
 }
 
 Eigen::VectorXd HeldAxle::motion_for(const WheelMotion& left, const WheelMotion& right, const Eigen::Vector2d& rates) {
-    const bool shared = shares_spoke(left, right);
+    const bool shared = share_suspension(left, right);
     const auto n_left = static_cast<Eigen::Index>(left.J.size()),
                n_right = shared ? 0 : static_cast<Eigen::Index>(right.J.size());
     Eigen::MatrixXd rise = Eigen::MatrixXd::Zero(2, n_left + n_right);
@@ -102,7 +100,7 @@ std::string HeldAxle::reach(double left_travel, double right_travel) {
         if (!std::isfinite(miss)) break;
         if (miss < 1e-11) return open_joint();
         const Eigen::VectorXd step = motion_for(left, right, missing);
-        const bool shared = shares_spoke(left, right);
+        const bool shared = share_suspension(left, right);
         for (std::size_t j = 0; j < left.coordinates.size(); ++j) {
             state_.values[static_cast<std::size_t>(left.coordinates[j])] += step[static_cast<Eigen::Index>(j)];
         }

@@ -27,7 +27,7 @@ public:
     std::vector<WheelMotion> wheels() const { return wheel_motions(*vehicle_, *model_, state_, rack_); }
     double rack() const { return rack_; }
 
-    // The motion, per independent coordinate of the axle's spokes, left then right, that raises its wheels at those rates.
+    // The motion, per independent coordinate of the axle's suspensions, left then right, that raises its wheels at those rates.
     static Eigen::VectorXd motion_for(const WheelMotion& left, const WheelMotion& right, const Eigen::Vector2d& rates);
 
 private:
@@ -39,13 +39,13 @@ private:
     const VehicleDescription* vehicle_;
     const Model<double>* model_;
     AxleWheels axle_;
-    std::vector<int> loops_;  // of the spokes that carry its wheels
+    std::vector<int> loops_;  // of the suspensions that carry its wheels
     State<double> state_;
     double rack_ = 0;
 };
 
-// Whether one spoke carries both wheels.
-inline bool shares_spoke(const WheelMotion& left, const WheelMotion& right) {
+// Whether one suspension carries both wheels.
+inline bool share_suspension(const WheelMotion& left, const WheelMotion& right) {
     return left.coordinates == right.coordinates;
 }
 

@@ -106,7 +106,7 @@ AxleFigures read_axle(const HeldAxle& axle, const AxleFacts& facts) {
     const std::vector<WheelMotion> all = axle.wheels();
     const WheelMotion &left = all[facts.wheels.left], &right = all[facts.wheels.right];
     AxleFacts sides = facts;
-    const bool shared = shares_spoke(left, right);
+    const bool shared = share_suspension(left, right);
     sides.right.first = shared ? 0 : static_cast<Eigen::Index>(left.coordinates.size());
     const Eigen::VectorXd bump = HeldAxle::motion_for(left, right, {1, 1});
     const Eigen::VectorXd roll = HeldAxle::motion_for(left, right, {1, -1});
@@ -137,7 +137,7 @@ AxleFigures read_axle(const HeldAxle& axle, const AxleFacts& facts) {
 double spring_force(const HeldAxle& axle, const AxleFacts& facts) {
     const std::vector<WheelMotion> all = axle.wheels();
     const WheelMotion &left = all[facts.wheels.left], &right = all[facts.wheels.right];
-    const bool shared = shares_spoke(left, right);
+    const bool shared = share_suspension(left, right);
     const Eigen::VectorXd bump = HeldAxle::motion_for(left, right, {1, 1});
     double power = spring_lift(left, bump, 0);
     if (!shared) power += spring_lift(right, bump, static_cast<Eigen::Index>(left.coordinates.size()));

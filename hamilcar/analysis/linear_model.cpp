@@ -32,9 +32,8 @@ DamperDescription mean_about_rest(const DamperDescription& d) {
 // What an exact linearization is of: dampers without a kink at rest, and a torque at the wheels in place of power units.
 VehicleDescription for_linearizing(VehicleDescription vehicle) {
     vehicle.power_units.clear(), vehicle.differentials.clear();
-    for (CornerDescription& corner : vehicle.corners) corner.damper = mean_about_rest(corner.damper);
-    for (ComposedSpokeDescription& spoke : vehicle.composed) {
-        for (ComposedDamperDescription& damper : spoke.dampers) damper.damper = mean_about_rest(damper.damper);
+    for (SuspensionDescription& suspension : vehicle.suspensions) {
+        for (SuspensionDamperDescription& damper : suspension.dampers) damper.damper = mean_about_rest(damper.damper);
     }
     return vehicle;
 }

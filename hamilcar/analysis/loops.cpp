@@ -4,20 +4,14 @@
 
 namespace hamilcar {
 
-std::string spoke_name(const VehicleDescription& vehicle, int spoke) {
-    const auto i = static_cast<std::size_t>(spoke);
-    return i < vehicle.corners.size() ? vehicle.corners[i].name : vehicle.composed[i - vehicle.corners.size()].name;
+std::string suspension_name(const VehicleDescription& vehicle, int suspension) {
+    return vehicle.suspensions[static_cast<std::size_t>(suspension)].name;
 }
 
-std::string cut_name(const VehicleDescription& vehicle, const Model<double>& model, int spoke, int cut) {
+std::string cut_name(const VehicleDescription& vehicle, const Model<double>& model, int suspension, int cut) {
     if (cut < 0) return "no joint";
-    const auto i = static_cast<std::size_t>(spoke);
-    if (i < vehicle.corners.size()) {
-        return std::visit([&](const auto& s) { return std::string(s.cut_names[static_cast<std::size_t>(cut)]); },
-                          model.vehicle.spokes[i].suspension);
-    }
-    // of a composed suspension the equations are numbered
-    for (const CutJointDescription& joint : vehicle.composed[i - vehicle.corners.size()].linkage.cuts) {
+    // equations are numbered, joints have names
+    for (const CutJointDescription& joint : vehicle.suspensions[static_cast<std::size_t>(suspension)].linkage.cuts) {
         if (cut < equations(joint.kind)) return joint.name;
         cut -= equations(joint.kind);
     }
@@ -25,15 +19,16 @@ std::string cut_name(const VehicleDescription& vehicle, const Model<double>& mod
 }
 
 std::string assembly_problem(const VehicleDescription& vehicle, const Model<double>& model, const LoopReport& loop) {
-    const std::string spoke = spoke_name(vehicle, loop.spoke);
+    const std::string suspension = suspension_name(vehicle, loop.suspension);
     if (loop.mobility <= locked_mobility) {
         return fmt::format(
             "{}: the linkage is locked: its arms and rods cannot follow the wheel's travel from here "
             "(mobility {:.1e}, expected above {:.0e}); two of them may share a point or a line",
-            spoke, loop.mobility, locked_mobility);
+            suspension, loop.mobility, locked_mobility);
     }
-    return fmt::format("{}: the hardpoints do not assemble: '{}' misses by {:.3f} mm (expected below {:.0e} mm)", spoke,
-                       cut_name(vehicle, model, loop.spoke, loop.cut), 1e3 * loop.opening, 1e3 * assembly_tolerance);
+    return fmt::format("{}: the hardpoints do not assemble: '{}' misses by {:.3f} mm (expected below {:.0e} mm)",
+                       suspension, cut_name(vehicle, model, loop.suspension, loop.cut), 1e3 * loop.opening,
+                       1e3 * assembly_tolerance);
 }
 
 }  // namespace hamilcar

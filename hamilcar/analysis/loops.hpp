@@ -1,4 +1,4 @@
-// What is wrong with a spoke's loops, in a person's words.
+// What is wrong with a suspension's loops, in a person's words.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace hamilcar {
 
-// Of a corner or a composed suspension, numbered as in a LoopReport.
-std::string spoke_name(const VehicleDescription& vehicle, int spoke);
+// Numbered as in a LoopReport.
+std::string suspension_name(const VehicleDescription& vehicle, int suspension);
 
 // Of a cut joint, numbered as in a LoopReport; "no joint" for -1.
-std::string cut_name(const VehicleDescription& vehicle, const Model<double>& model, int spoke, int cut);
+std::string cut_name(const VehicleDescription& vehicle, const Model<double>& model, int suspension, int cut);
 
 // Why a vehicle does not assemble.
 std::string assembly_problem(const VehicleDescription& vehicle, const Model<double>& model, const LoopReport& loop);

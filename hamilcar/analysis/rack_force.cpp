@@ -10,7 +10,7 @@ namespace {
 // Long against round-off; half as long changes nothing that could be felt [s].
 constexpr double moment = 2e-5;
 
-// What a hub lends its spokes.
+// What a hub lends its suspensions.
 struct Hub {
     Vec3<double> gravity;    // [m/s^2]
     Spatial<double> motion;  // v_hub
@@ -31,7 +31,7 @@ State<double> rate_at(const Model<double>& model, const State<double>& state, co
     return rate;
 }
 
-// One instant with its neighbors on both sides, and what the rack feels of each spoke.
+// One instant with its neighbors on both sides, and what the rack feels of each suspension.
 class RackForce {
 public:
     RackForce(const Model<double>& model, const State<double>& state, const Input<double>& input,
@@ -45,82 +45,51 @@ public:
           before_(velocity_block(model, state_after(model, state, rate_, -moment), input_after(input, -moment))),
           after_(velocity_block(model, state_after(model, state, rate_, moment), input_after(input, moment))) {}
 
-    double of_corner(int i) const {
-        return visit_spoke(vehicle_, velocity_, i, [&](const auto& spoke, const auto& suspension, const auto& at) {
-            using Kind = std::decay_t<decltype(suspension)>;
-            if constexpr (Kind::Linkage::Position::drifts) {
-                return of_corner(spoke, suspension, at, static_cast<std::size_t>(i));
-            } else {
-                return 0.0;
-            }
-        });
-    }
-
-    double of_composed(std::size_t s) const {
-        const ComposedSpoke<double>& spoke = vehicle_.composed[s];
-        const ComposedMomenta<double>& f = momenta_.composed.spokes[s];
-        const auto numbers = spoke.state(state_.values.data());
-        const Hub hub = hub_of(spoke.unit);
-        ComposedPosition<double> moved;
-        spoke.linkage.find_position(numbers.independent, numbers.dependent, unit_rate_, 0.0, moved);
+    double of_suspension(std::size_t s) const {
+        const Suspension<double>& suspension = vehicle_.suspensions[s];
+        const SuspensionMomenta<double>& f = momenta_.suspensions[s];
+        const auto numbers = suspension.state(state_.values.data());
+        const Hub hub = hub_of(suspension.unit);
+        LinkagePosition<double> moved;
+        suspension.linkage.find_position(numbers.independent, numbers.dependent, unit_rate_, 0.0, moved);
         double force = 0;
-        for (std::size_t i = 0; i < spoke.bodies.size(); ++i) {
-            const auto frame = static_cast<std::size_t>(spoke.bodies[i].frame);
+        for (std::size_t i = 0; i < suspension.bodies.size(); ++i) {
+            const auto frame = static_cast<std::size_t>(suspension.bodies[i].frame);
             const Spatial<double> h_rate = rate_of(hub, [&](const Velocity<double>& then) -> Spatial<double> {
-                return then.composed.spokes[s].inertia[i] * then.composed.spokes[s].motion[frame];
+                return then.suspensions[s].inertia[i] * then.suspensions[s].motion[frame];
             });
-            const Spatial<double> weight = weight_of(velocity_.composed.spokes[s].inertia[i], hub);
+            const Spatial<double> weight = weight_of(velocity_.suspensions[s].inertia[i], hub);
             force += moved.motion.x[frame].dot(h_rate - weight);
         }
-        for (std::size_t i = 0; i < spoke.wheels.size(); ++i) force += of_wheel(spoke, s, i, moved, hub);
+        for (std::size_t i = 0; i < suspension.wheels.size(); ++i) force += of_wheel(suspension, s, i, moved, hub);
         const auto drift = [&](const ForceLine<double>& line) {
-            return spoke.linkage.line(line, moved, numbers.independent, numbers.dependent).drift;
+            return suspension.linkage.line(line, moved, numbers.independent, numbers.dependent).drift;
         };
-        for (std::size_t i = 0; i < spoke.springs.size(); ++i) {
-            force -= f.springs[i].force * drift(spoke.springs[i].line);
+        for (std::size_t i = 0; i < suspension.springs.size(); ++i) {
+            force -= f.springs[i].force * drift(suspension.springs[i].line);
         }
-        for (std::size_t i = 0; i < spoke.dampers.size(); ++i) {
-            force -= f.dampers[i].force * drift(spoke.dampers[i].line);
+        for (std::size_t i = 0; i < suspension.dampers.size(); ++i) {
+            force -= f.dampers[i].force * drift(suspension.dampers[i].line);
         }
         return force;
     }
 
 private:
-    template <class Kind>
-    double of_corner(const Spoke<double>& spoke, const Kind& suspension, const SpokeVelocity<double, Kind>& at,
-                     std::size_t i) const {
-        const SpokeForces<double>& f = momenta_.spokes[i].forces;
-        const auto numbers = state_.spoke(static_cast<int>(i));
-        const auto moved = suspension.linkage.position(numbers.independent, numbers.dependent, unit_rate_, 0.0);
-        const Hub hub = hub_of(0);
-        const Spatial<double> h_rate = rate_of(hub, [&](const Velocity<double>& velocity) {
-            const auto& then = std::get<SpokeVelocity<double, Kind>>(velocity.spokes[i]);
-            Spatial<double> h = then.inertia * then.motion;
-            angular(h) += then.spin_momentum;
-            return h;
-        });
-        Spatial<double> Q = weight_of(at.inertia, hub) + wrench_of(f, spoke.tire, at.spin_axis);  // (55)
-        angular(Q) += at.spin_axis * f.drive_torque;
-        return moved.x.dot(h_rate - Q) - f.spring * suspension.spring_line(moved, numbers.independent).drift -
-               f.damper * suspension.damper_line(moved, numbers.independent).drift -
-               (f.stop + f.bar) * travel_line<double>(f.travel, at.wheel_center, moved).drift;
-    }
-
-    double of_wheel(const ComposedSpoke<double>& spoke, std::size_t s, std::size_t i,
-                    const ComposedPosition<double>& moved, const Hub& hub) const {
-        const ComposedWheel<double>& wheel = spoke.wheels[i];
-        const ComposedWheelForces<double>& f = momenta_.composed.spokes[s].wheels[i];
-        const ComposedVelocity<double>& at = velocity_.composed.spokes[s];
+    double of_wheel(const Suspension<double>& suspension, std::size_t s, std::size_t i,
+                    const LinkagePosition<double>& moved, const Hub& hub) const {
+        const SuspensionWheel<double>& wheel = suspension.wheels[i];
+        const WheelForces<double>& f = momenta_.suspensions[s].wheels[i];
+        const SuspensionVelocity<double>& at = velocity_.suspensions[s];
         const Spatial<double>& xi = moved.motion.x[static_cast<std::size_t>(wheel.frame)];
         const Spatial<double>& reaction = moved.motion.x[static_cast<std::size_t>(wheel.reaction)];
         Spatial<double> unbalanced = rate_of(hub, [&](const Velocity<double>& then) {
-            return spatial<double>(Vec3<double>::Zero(), then.composed.spokes[s].spin_momentum[i]);
+            return spatial<double>(Vec3<double>::Zero(), then.suspensions[s].spin_momentum[i]);
         });
         for (std::size_t k = 0; k < static_cast<std::size_t>(wheel.tires); ++k) {
             unbalanced -= wrench_of(f.tires[k], wheel.tire, at.axis[i]);
         }
-        ComposedLine<double> travel;
-        spoke.linkage.along(Vec3<double>::UnitZ(), at.center[i], wheel.frame, 0, moved.motion, travel);
+        LineOfAction<double> travel;
+        suspension.linkage.along(Vec3<double>::UnitZ(), at.center[i], wheel.frame, 0, moved.own, travel);
         return xi.dot(unbalanced) - f.drive_torque * at.axis[i].dot(angular(xi) - angular(reaction)) -
                (f.stop + f.bar) * travel.drift;
     }
@@ -134,7 +103,7 @@ private:
 
     Hub hub_of(int unit) const {
         if (unit == 0) return {velocity_.R_GC.row(2).transpose() * -vehicle_.gravity, velocity_.hub};
-        const auto& world = momenta_.composed.trailers[static_cast<std::size_t>(unit) - 1].surroundings;
+        const auto& world = momenta_.trailers[static_cast<std::size_t>(unit) - 1].surroundings;
         return {world.gravity, world.hub};
     }
 
@@ -153,8 +122,7 @@ double rack_force(const Model<double>& model, const State<double>& state, const 
                   const Velocity<double>& velocity, const Momenta<double>& momenta) {
     const RackForce of(model, state, input, velocity, momenta);
     double force = 0;
-    for (int i = 0; i < model.vehicle.spoke_count(); ++i) force += of.of_corner(i);
-    for (std::size_t s = 0; s < model.vehicle.composed.size(); ++s) force += of.of_composed(s);
+    for (std::size_t s = 0; s < model.vehicle.suspensions.size(); ++s) force += of.of_suspension(s);
     return force;
 }
 

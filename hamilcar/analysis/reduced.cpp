@@ -20,28 +20,19 @@ ReducedCoordinates::ReducedCoordinates(const VehicleDescription& d, const Vehicl
         further_.push_back(place);
         names_.push_back(std::move(name));
     };
-    for (int i = 0; i < vehicle.spoke_count(); ++i) {
-        const std::string& name = d.corners[static_cast<std::size_t>(i)].name;
-        const int first = hub_size + i * spoke_size, momentum = first + max_independent + max_dependent;
-        const int wheel = momentum + max_independent;
-        add(first, name + ".independent"), add(momentum, name + ".momentum");
-        add(wheel, name + ".spin_momentum");
-        add(wheel + 1, name + ".deflection_x"), add(wheel + 2, name + ".deflection_y");
-        add(wheel + 3, name + ".brake_windup");
-    }
-    for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
-        const ComposedSpoke<double>& spoke = vehicle.composed[s];
-        const ComposedSpokeDescription& described = d.composed[s];
-        for (int j = 0; j < spoke.linkage.nV(); ++j) {
+    for (std::size_t s = 0; s < vehicle.suspensions.size(); ++s) {
+        const Suspension<double>& suspension = vehicle.suspensions[s];
+        const SuspensionDescription& described = d.suspensions[s];
+        for (int j = 0; j < suspension.linkage.nV(); ++j) {
             const std::string number = std::to_string(j + 1);
-            add(spoke.offset + j, described.name + ".independent." + number);
-            add(spoke.offset + spoke.linkage.nq() + j, described.name + ".momentum." + number);
+            add(suspension.offset + j, described.name + ".independent." + number);
+            add(suspension.offset + suspension.linkage.nq() + j, described.name + ".momentum." + number);
         }
-        for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
+        for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
             const std::string& name = described.wheels[i].name;
-            const int wheel = spoke.offset + spoke.wheels[i].offset;
+            const int wheel = suspension.offset + suspension.wheels[i].offset;
             add(wheel, name + ".spin_momentum"), add(wheel + 1, name + ".brake_windup");
-            for (int k = 0; k < spoke.wheels[i].tires; ++k) {
+            for (int k = 0; k < suspension.wheels[i].tires; ++k) {
                 const char* tire = k == 0 ? "" : "_2";
                 add(wheel + 2 + 2 * k, fmt::format("{}.deflection_x{}", name, tire));
                 add(wheel + 3 + 2 * k, fmt::format("{}.deflection_y{}", name, tire));

@@ -1,11 +1,12 @@
 // A vehicle on a flat road without what is indifferent or follows: no ground position and heading, no dependent coordinates,
 // no work. What is left rests where the vehicle stands, drives straight or goes round in a circle:
 //
-//     z = (height, roll, pitch; p, L in chassis axes; V, P_V, p_s, u, v, brake wind-up of every spoke; hitches)
+//     z = (height, roll, pitch; p, L in chassis axes; V, P_V, p_s, u, v, brake wind-up of every suspension; hitches)
 //
 // Angles are ISO 8855's. Written for any number, so that derivatives of z' are exact.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -69,15 +70,11 @@ struct ReducedOutputs {
 
 template <class T>
 void add_wheel_outputs(const Vehicle<T>& vehicle, const Momenta<T>& momenta, ReducedOutputs<T>& out) {
-    for (std::size_t i = 0; i < vehicle.spokes.size(); ++i) {
-        out.wheel_travel.push_back(momenta.spokes[i].forces.travel);
-        out.tire_load.push_back(momenta.spokes[i].forces.tire.Fz);
-    }
-    for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
-        for (std::size_t i = 0; i < vehicle.composed[s].wheels.size(); ++i) {
-            const ComposedWheelForces<T>& f = momenta.composed.spokes[s].wheels[i];
+    for (std::size_t s = 0; s < vehicle.suspensions.size(); ++s) {
+        for (std::size_t i = 0; i < vehicle.suspensions[s].wheels.size(); ++i) {
+            const WheelForces<T>& f = momenta.suspensions[s].wheels[i];
             out.wheel_travel.push_back(f.travel);
-            out.tire_load.push_back(vehicle.composed[s].wheels[i].tires == 2
+            out.tire_load.push_back(vehicle.suspensions[s].wheels[i].tires == 2
                                         ? T(f.tires[0].tire.Fz + f.tires[1].tire.Fz)
                                         : f.tires[0].tire.Fz);
         }
@@ -89,8 +86,11 @@ template <class T>
 ReducedOutputs<T> reduced_rates(const Model<T>& model, const ReducedCoordinates& reduced, const Input<T>& input,
                                 const T* z, const State<double>& around, const Vec3<T>& seat, T* z_rate) {
     const State<T> state = state_of(model, reduced, z, around, input.rack);
-    const Velocity<T> velocity = velocity_block(model, state, input);
-    const Momenta<T> momenta = momenta_block(model, state, input, velocity);
+    // Of numbers with derivatives too large for a stack.
+    const std::unique_ptr<const Velocity<T>> velocities(new Velocity<T>(velocity_block(model, state, input)));
+    const Velocity<T>& velocity = *velocities;
+    const std::unique_ptr<const Momenta<T>> all_momenta(new Momenta<T>(momenta_block(model, state, input, velocity)));
+    const Momenta<T>& momenta = *all_momenta;
     State<T> rate;
     rate_of_state(model, state, velocity, momenta, rate);
     const Vec3<T> w = angular(velocity.hub);

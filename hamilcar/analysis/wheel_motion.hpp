@@ -12,7 +12,7 @@ namespace hamilcar {
 struct LineMotion {
     std::string name;              // of the wheel it belongs to
     double length;                 // [m]
-    std::vector<double> gradient;  // per independent coordinate of the spoke
+    std::vector<double> gradient;  // per independent coordinate of the suspension
     double force;                  // of a spring at this length [N]; 0 of a damper
 };
 
@@ -21,14 +21,14 @@ struct WheelMotion {
     Vec3<double> center, axis;  // [m]; spin axis
     Vec3<double> design_center, design_axis;
     double radius;                             // unloaded [m]
-    std::vector<int> coordinates;              // of the spoke's independent ones, in the state
+    std::vector<int> coordinates;              // of the suspension's independent ones, in the state
     std::vector<Spatial<double>> J;            // motion of the carrier per independent coordinate
     Spatial<double> steer;                     // and per unit of rack, these held still
-    std::vector<LineMotion> springs, dampers;  // its own, or all of a spoke that carries both wheels
+    std::vector<LineMotion> springs, dampers;  // its own, or all of a suspension that carries both wheels
     bool own_differential;  // the axle holds it: drive acts at the contact as a brake does, not at the wheel's center
 };
 
-// Wheels of the motor vehicle and its trailers in the order of the description: corners, then composed suspensions.
+// Wheels of the motor vehicle and its trailers in the order of the description.
 std::vector<WheelMotion> wheel_motions(const VehicleDescription& description, const Model<double>& model,
                                        const State<double>& state, double rack);
 

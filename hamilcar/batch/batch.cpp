@@ -18,20 +18,20 @@ std::vector<const Simulation*> pointers(const std::vector<Simulation>& cars) {
 }
 
 template <class T>
-std::vector<int> shape(const ComposedLinkage<T>& linkage) {
+std::vector<int> shape(const Linkage<T>& linkage) {
     std::vector<int> out = linkage.path;
-    for (const auto& f : linkage.freedoms) out.insert(out.end(), {f.slides, f.parent});
+    for (const auto& f : linkage.freedoms) out.insert(out.end(), {f.slides, f.parent, f.same_point});
     for (const auto& e : linkage.equations) out.insert(out.end(), {e.plane, e.part, e.base});
     out.insert(out.end(), linkage.independent.begin(), linkage.independent.end());
     return out;
 }
 
-std::vector<int> shape(const ComposedSpoke<double>& spoke) {
-    std::vector<int> out = shape(spoke.linkage);
-    out.push_back(spoke.unit);
-    for (const auto& body : spoke.bodies) out.push_back(body.frame);
-    for (const auto& wheel : spoke.wheels) {
-        out.insert(out.end(), {wheel.frame, wheel.tires, wheel.reaction, static_cast<int>(wheel.tire.index())});
+std::vector<int> shape(const Suspension<double>& suspension) {
+    std::vector<int> out = shape(suspension.linkage);
+    out.push_back(suspension.unit);
+    for (const auto& body : suspension.bodies) out.push_back(body.frame);
+    for (const auto& wheel : suspension.wheels) {
+        out.insert(out.end(), {wheel.frame, wheel.tires, wheel.reaction});
     }
     const auto add = [&](const auto& elements) {
         out.push_back(static_cast<int>(elements.size()));
@@ -39,7 +39,7 @@ std::vector<int> shape(const ComposedSpoke<double>& spoke) {
             out.insert(out.end(), {element.line.part, element.line.base, element.line.coordinate});
         }
     };
-    add(spoke.springs), add(spoke.dampers);
+    add(suspension.springs), add(suspension.dampers);
     return out;
 }
 
@@ -60,10 +60,18 @@ std::vector<int> shape(const Powertrain<double>& powertrain) {
     return out;
 }
 
-std::string composed_difference(const Vehicle<double>& a, const Vehicle<double>& b) {
-    if (a.composed.size() != b.composed.size()) return "number of composed suspensions";
-    for (std::size_t i = 0; i < a.composed.size(); ++i) {
-        if (shape(a.composed[i]) != shape(b.composed[i])) return fmt::format("composed suspension {}", i + 1);
+std::string vehicle_difference(const Vehicle<double>& a, const Vehicle<double>& b) {
+    if (shape(a.powertrain) != shape(b.powertrain)) return "power units or differentials";
+    if (a.hull.points.size() != b.hull.points.size()) return "number of hull points";
+    if (a.suspensions.size() != b.suspensions.size()) return "number of suspensions";
+    for (std::size_t i = 0; i < a.suspensions.size(); ++i) {
+        const Suspension<double>&one = a.suspensions[i], &other = b.suspensions[i];
+        if (shape(one) != shape(other)) return fmt::format("suspension {}", i + 1);
+        for (std::size_t w = 0; w < one.wheels.size(); ++w) {
+            if (one.wheels[w].tire.index() != other.wheels[w].tire.index()) {
+                return fmt::format("tire model of wheel {}", static_cast<std::size_t>(one.first_wheel) + w + 1);
+            }
+        }
     }
     if (a.trailers.size() != b.trailers.size()) return "number of trailers";
     for (std::size_t i = 0; i < a.trailers.size(); ++i) {
@@ -72,32 +80,14 @@ std::string composed_difference(const Vehicle<double>& a, const Vehicle<double>&
         }
     }
     const auto ends = [](const AntiRollBar<double>& bar) { return std::pair(bar.left, bar.right); };
-    if (!std::ranges::equal(a.composed_bars, b.composed_bars, {}, ends, ends)) return "anti-roll bars";
+    if (!std::ranges::equal(a.anti_roll_bars, b.anti_roll_bars, {}, ends, ends)) return "anti-roll bars";
     return {};
-}
-
-std::string vehicle_difference(const Vehicle<double>& a, const Vehicle<double>& b) {
-    if (a.spoke_count() != b.spoke_count()) return "number of corners";
-    for (std::size_t i = 0; i < a.spokes.size(); ++i) {
-        if (a.spokes[i].suspension.index() != b.spokes[i].suspension.index())
-            return fmt::format("suspension of corner {}", i + 1);
-        if (a.spokes[i].tire.index() != b.spokes[i].tire.index()) return fmt::format("tire model of corner {}", i + 1);
-    }
-    if (shape(a.powertrain) != shape(b.powertrain)) return "power units or differentials";
-    if (a.hull.points.size() != b.hull.points.size()) return "number of hull points";
-    if (a.anti_roll_bars.size() != b.anti_roll_bars.size()) return "number of anti-roll bars";
-    for (std::size_t i = 0; i < a.anti_roll_bars.size(); ++i) {
-        if (a.anti_roll_bars[i].left != b.anti_roll_bars[i].left ||
-            a.anti_roll_bars[i].right != b.anti_roll_bars[i].right)
-            return fmt::format("corners of anti-roll bar {}", i + 1);
-    }
-    return composed_difference(a, b);
 }
 
 std::vector<int> pivots(const Vehicle<double>& vehicle) {
     std::vector<int> out;
-    for (const ComposedSpoke<double>& spoke : vehicle.composed) {
-        const ComposedLinkage<double>& linkage = spoke.linkage;
+    for (const Suspension<double>& suspension : vehicle.suspensions) {
+        const Linkage<double>& linkage = suspension.linkage;
         out.insert(out.end(), linkage.pivot_equation.begin(), linkage.pivot_equation.end());
         out.insert(out.end(), linkage.pivot_dependent.begin(), linkage.pivot_dependent.end());
     }

@@ -22,7 +22,7 @@ struct BatchOptions {
     double tilt_limit = 0;  // a car ends when its z axis leans further [rad]; zero: it may roll over
 };
 
-// What differs between two cars that cannot share a chunk, or nothing: "suspension of corner 2", "step", ...
+// What differs between two cars that cannot share a chunk, or nothing: "tire model of wheel 2", "step", ...
 std::string topology_difference(const Simulation& a, const Simulation& b);
 
 class Batch {

@@ -1,4 +1,4 @@
-// What passes from a spoke to its hub in the Velocity block, and the flags it may raise.
+// What the Velocity block may raise.
 #pragma once
 
 #include "hamilcar/math/spatial.hpp"
@@ -21,20 +21,5 @@ struct Health {
     // A linkage whose det Phi_w has fallen to this share of its design value is about to lock.
     auto locks() const { return !(mobility > T(1e-3)); }
 };
-
-// What a spoke leaves of the hub's 6x6 system: the lower triangle of an inertia, column by column, and a momentum.
-template <class S>
-using CondensedSpoke = std::array<S, 21 + 6>;
-
-// Calls f(row, column, number) for the lower triangle of a 6x6 matrix, column by column.
-template <class F>
-void for_each_lower(F&& f) {
-    std::size_t next = 0;
-#pragma GCC unroll 6
-    for (int j = 0; j < 6; ++j) {
-#pragma GCC unroll 6
-        for (int i = j; i < 6; ++i) f(i, j, next++);
-    }
-}
 
 }  // namespace hamilcar

@@ -12,7 +12,7 @@ struct StateFreedom {
     bool hitch_yaw;            // of a trailer: indifferent while the combination stands
 };
 
-// Corners, composed suspensions, hitches.
+// Suspensions, hitches.
 std::vector<StateFreedom> state_freedoms(const Vehicle<double>& vehicle);
 
 }  // namespace hamilcar

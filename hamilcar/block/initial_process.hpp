@@ -8,20 +8,20 @@
 
 namespace hamilcar {
 
-// How well one spoke's loops close at the state's coordinates.
+// How well one suspension's loops close at the state's coordinates.
 struct LoopReport {
-    int spoke = 0;        // corners first, then composed suspensions
-    int cut = -1;         // the worst cut joint; -1 without loops
-    double opening = 0;   // of that joint [m]
-    int locking = -1;     // the cut joint that says most nearly what others say already
+    int suspension = 0;
+    int cut = -1;         // the equation that is farthest from holding; -1 without loops
+    double opening = 0;   // of that equation [m]
+    int locking = -1;     // the equation that says most nearly what others say already
     double mobility = 1;  // |det Phi_w| over the product of its row norms: 0 where the linkage locks
 };
 LoopReport inspect_loops(const Model<double>& model, const RackMotion<double>& rack, const State<double>& state,
-                         int spoke);
+                         int number);
 
 struct AssemblyResult {
     bool assembled = true;
-    LoopReport worst;  // of the spoke that failed, else of the one that opens most
+    LoopReport worst;  // of the suspension that failed, else of the one that opens most
 };
 
 inline constexpr double assembly_tolerance = 1e-9;  // opening of a joint [m]
@@ -29,11 +29,6 @@ inline constexpr double locked_mobility = 1e-4;     // below it Phi_w counts as 
 
 // W by Newton-Raphson from where it stands, for the V of the state.
 AssemblyResult assemble(const Model<double>& model, const RackMotion<double>& rack, State<double>& state);
-
-// Corners and composed suspensions.
-inline int loop_count(const Vehicle<double>& vehicle) {
-    return vehicle.spoke_count() + static_cast<int>(vehicle.composed.size());
-}
 
 // Puts the chassis there; nothing else of the state changes.
 void place_chassis(const Model<double>& model, const Vec3<double>& position, const Mat3<double>& R_GC,

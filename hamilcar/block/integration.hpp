@@ -14,17 +14,9 @@ namespace hamilcar {
 // W from Phi(V, W, t) = 0 by warm-started Newton steps.
 template <class T>
 void close_loops(const Model<T>& model, const RackMotion<T>& rack, State<T>& state, int newton_steps) {
-    for (int i = 0; i < model.vehicle.spoke_count(); ++i) {
-        dispatch(model.vehicle.spokes[static_cast<std::size_t>(i)].suspension, [&](const auto& suspension) {
-            const SpokeState<T> spoke = state.spoke(i);
-            for (int n = 0; n < newton_steps; ++n) {
-                suspension.linkage.newton_step(spoke.independent, spoke.dependent, rack);
-            }
-        });
-    }
-    for (const ComposedSpoke<T>& spoke : model.vehicle.composed) {
-        const ComposedState<T> at = spoke.state(state.values.data());
-        for (int n = 0; n < newton_steps; ++n) spoke.linkage.newton_step(at.independent, at.dependent, rack);
+    for (const Suspension<T>& suspension : model.vehicle.suspensions) {
+        const SuspensionState<T> at = suspension.state(state.values.data());
+        for (int n = 0; n < newton_steps; ++n) suspension.linkage.newton_step(at.independent, at.dependent, rack);
     }
 }
 
@@ -32,19 +24,11 @@ extern template void close_loops<double>(const Model<double>&, const RackMotion<
 
 template <class T>
 void add_closing(const Model<T>& model, const RingTurn<T>& turn, State<T>& state) {
-    for (int i = 0; i < model.vehicle.spoke_count(); ++i) {
-        const auto& closing = turn.closing[static_cast<std::size_t>(i)];
-        dispatch(model.vehicle.spokes[static_cast<std::size_t>(i)].suspension, [&](const auto& suspension) {
-            for (int j = 0; j < std::decay_t<decltype(suspension)>::Linkage::nW; ++j) {
-                state.spoke(i).dependent[j] += closing[static_cast<std::size_t>(j)];
-            }
-        });
-    }
-    for (std::size_t s = 0; s < model.vehicle.composed.size(); ++s) {
-        const ComposedSpoke<T>& spoke = model.vehicle.composed[s];
-        T* dependent = spoke.state(state.values.data()).dependent;
-        for (int j = 0; j < spoke.linkage.nW(); ++j) {
-            dependent[j] += turn.composed_closing[s][static_cast<std::size_t>(j)];
+    for (std::size_t s = 0; s < model.vehicle.suspensions.size(); ++s) {
+        const Suspension<T>& suspension = model.vehicle.suspensions[s];
+        T* dependent = suspension.state(state.values.data()).dependent;
+        for (int j = 0; j < suspension.linkage.nW(); ++j) {
+            dependent[j] += turn.closing[s][static_cast<std::size_t>(j)];
         }
     }
 }

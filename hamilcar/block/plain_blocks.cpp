@@ -1,4 +1,4 @@
-// The blocks in plain doubles, spoke after spoke, as starts, channels and analyses ask for them: compiled here, once.
+// The blocks in plain doubles, suspension after suspension, as starts, channels and analyses ask for them: compiled here, once.
 #include "hamilcar/block/integration.hpp"
 
 namespace hamilcar {

@@ -21,7 +21,7 @@ struct RoadWheel {
     std::vector<RoadTire> tires;
 };
 
-// Corners first, then the wheels of composed suspensions in order. The forces are those of `momenta`, which must stay.
+// In the vehicle's order. The forces are those of `momenta`, which must stay.
 std::vector<RoadWheel> road_wheels(const Model<double>& model, const Momenta<double>& momenta, State<double>& state);
 
 // Direction of gravity times its strength in a unit's axes [m/s^2].

@@ -1,4 +1,4 @@
-// A vector with a fixed capacity and no heap: a car with four spokes does not pay for places of twelve.
+// A vector with a fixed capacity and no heap: a car with four suspensions does not pay for places of twelve.
 #pragma once
 
 #include <array>

@@ -34,7 +34,8 @@ WheelRoad<T> ground_of_hull(const GroundBelow<T>& ground, const Hull<T>& hull, c
     if (!ground.uneven) [[likely]]
         return {ground.plane, T(0)};
     constexpr int no_wheel = 1000;  // no post carries it
-    return ground.under(hull.center, Vec3<T>::UnitY(), motion, T(3) * max(hull.half[0], T(0.1)), {no_wheel, no_wheel});
+    return ground.under(hull.center, Vec3<T>::UnitY(), motion, T(3) * max(hull.half[0], T(0.1)),
+                        hull.clearance(ground.plane), {no_wheel, no_wheel});
 }
 
 }  // namespace hamilcar

@@ -4,11 +4,11 @@
 #include "hamilcar/block/model.hpp"
 #include "hamilcar/road/ground.hpp"
 #include "hamilcar/tire/contact.hpp"
-#include "hamilcar/vehicle/composed.hpp"
+#include "hamilcar/vehicle/suspension.hpp"
 
 namespace hamilcar {
 
-// What the Momenta block tells a spoke about the world around it.
+// What the Momenta block tells a suspension about the world around it.
 template <class T>
 struct Surroundings {
     RoadPlane<T> road;
@@ -18,16 +18,17 @@ struct Surroundings {
 };
 
 template <class S, class T>
-Surroundings<S> abreast(const Surroundings<T>& world) {
-    return {{abreast<S>(world.road.normal), S(world.road.offset), S(world.road.friction)},
-            abreast<S>(world.gravity),
-            abreast<S>(world.hub),
-            S(world.gain)};
+RoadPlane<S> in_both(const RoadPlane<T>& road) {
+    return {in_both<S>(road.normal), S(road.offset), S(road.friction)};
+}
+template <class S, class T>
+Surroundings<S> in_both(const Surroundings<T>& world) {
+    return {in_both<S>(world.road), in_both<S>(world.gravity), in_both<S>(world.hub), S(world.gain)};
 }
 
-// What a spoke is told of the driver.
+// What a suspension is told of the driver.
 template <class S, class T>
-Input<S> abreast(const Input<T>& input) {
+Input<S> in_both(const Input<T>& input) {
     return {{S(input.rack.displacement), S(input.rack.rate), S(input.rack.acceleration)},
             S(input.drive_torque),
             S(input.brake),
@@ -46,11 +47,12 @@ struct TireForces {
 
 template <class T>
 struct WheelForces : TireForces<T> {
-    T stop, bar;                   // along the wheel's travel [N]
-    T travel;                      // [m]
-    T drive_torque, brake_torque;  // on the wheel [N m]
-    T tire_spin_torque;            // of the tires about the spin axis [N m]
-    T spin;                        // relative to the carrier [rad/s]
+    T stop, bar;                                 // along the wheel's travel [N]
+    T travel;                                    // [m]
+    T drive_torque, brake_torque;                // on the wheel [N m]
+    T tire_spin_torque;                          // of the tires about the spin axis [N m]
+    T spin;                                      // relative to the carrier [rad/s]
+    std::array<TireForces<T>, max_tires> tires;  // the first is also the wheel's own
 };
 
 // The ground, and which wheels of the vehicle stand on it here.
@@ -78,7 +80,7 @@ Spatial<T> tire_wrench(const Tire<T>& any_tire, const GroundOfWheel<T>& below, c
                        const Vec3<T>& axis, const Spatial<T>& motion, const T& omega, const T& turning, const T& u,
                        const T& v, TireForces<T>& out, T& spin_torque) {
     return dispatch(any_tire, [&](const auto& tire) -> Spatial<T> {
-        const WheelRoad<T> road = below.ground.under(center, axis, motion, tire.radius, below.numbers);
+        const WheelRoad<T> road = below.ground.under(center, axis, motion, tire.radius, T(0), below.numbers);
         const auto f = contact_frame<T>(road.plane, center, axis, tire.radius);
         const Vec3<T> velocity = velocity_at<T>(motion, f.point);
         const T v_x = f.longitudinal.dot(velocity);
@@ -113,6 +115,87 @@ T lost_in_tire(const TireForces<T>& f) {
     return f.tire.Fx * f.contact.v_sx + f.tire.Fy * f.contact.v_sy -
            (f.tire.Fz - f.tire.elastic) * f.contact.depth_rate + f.tire.Fz * f.rise +
            f.tire.rolling_moment * f.contact.omega + f.moment_power;
+}
+
+// How a wheel stands and moves, what drives it, and where its carrier pushes.
+template <class T>
+struct MovingWheel {
+    T spin_momentum, brake_windup;
+    std::array<T, 2 * max_tires> deflection;  // u, v of the first tire, then of the second
+    Vec3<T> center, axis;
+    Spatial<T> carrier;  // motion of its frame
+    T drive_torque;      // on the wheel [N m]
+};
+
+template <class S, class T>
+MovingWheel<S> side_by_side(const MovingWheel<T>& left, const MovingWheel<T>& right, int tires) {
+    MovingWheel<S> out{.spin_momentum = side_by_side<S>(left.spin_momentum, right.spin_momentum),
+                       .brake_windup = side_by_side<S>(left.brake_windup, right.brake_windup),
+                       .deflection = {},
+                       .center = side_by_side<S>(left.center, right.center),
+                       .axis = side_by_side<S>(left.axis, right.axis),
+                       .carrier = side_by_side<S>(left.carrier, right.carrier),
+                       .drive_torque = side_by_side<S>(left.drive_torque, right.drive_torque)};
+    for (std::size_t k = 0; k < 2 * static_cast<std::size_t>(tires); ++k) {
+        out.deflection[k] = side_by_side<S>(left.deflection[k], right.deflection[k]);
+    }
+    return out;
+}
+
+// What comes of it.
+template <class T>
+struct WheelPush {
+    Spatial<T> wrench;  // of the tires on the carrier with its wheel
+    T windup_rate, spin_momentum_rate;
+    T lost_in_tires;  // [W]
+};
+
+// Everything about a wheel, or two side by side, but the suspension: its tires, drive and brake, and the spin equation
+// p_s' = torque of the tires about the axis + drive + brake.
+template <class T>
+WheelPush<T> wheel_push(const SuspensionWheel<T>& wheel, const MovingWheel<T>& at, const T& brake_command,
+                        const GroundOfWheel<T>& ground, WheelForces<T>& f) {
+    WheelPush<T> out;
+    const T omega = at.spin_momentum * wheel.wheel.inverse_spin_inertia;
+    const T turning = at.axis.dot(angular(at.carrier));
+    f.spin = omega - turning;
+    f.tire_spin_torque = out.lost_in_tires = T(0);
+    out.wrench.setZero();
+    for (int k = 0; k < wheel.tires; ++k) {
+        const T aside = wheel.tires == 1 ? T(0) : k == 0 ? wheel.half_spacing : T(-wheel.half_spacing);
+        T torque;
+        out.wrench +=
+            tire_wrench<T>(wheel.tire, ground, Vec3<T>(at.center + at.axis * aside), at.axis, at.carrier, omega,
+                           turning, at.deflection[2 * k], at.deflection[2 * k + 1], f.tires[k], torque);
+        f.tire_spin_torque += torque;
+        out.lost_in_tires += lost_in_tire(f.tires[k]);
+    }
+    static_cast<TireForces<T>&>(f) = f.tires[0];
+    const auto brake = wheel.brake.evaluate(brake_command, f.spin, at.brake_windup);
+    f.drive_torque = at.drive_torque;
+    f.brake_torque = brake.torque;
+    out.windup_rate = brake.windup_rate;
+    out.spin_momentum_rate = f.tire_spin_torque + f.drive_torque + f.brake_torque;
+    return out;
+}
+
+// One of two side by side: what the equations go on with.
+template <class T, class S>
+WheelPush<T> unpack_wheel(const WheelPush<S>& from, const WheelForces<S>& forces, int tires, int place,
+                          WheelForces<T>& to) {
+    to.spin = lane(forces.spin, place);
+    to.drive_torque = lane(forces.drive_torque, place);
+    to.brake_torque = lane(forces.brake_torque, place);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(tires); ++k) {
+        to.tires[k].tire.u_rate = lane(forces.tires[k].tire.u_rate, place);
+        to.tires[k].tire.v_rate = lane(forces.tires[k].tire.v_rate, place);
+    }
+    WheelPush<T> out;
+    unpack(from.wrench, place, out.wrench);
+    out.windup_rate = lane(from.windup_rate, place);
+    out.spin_momentum_rate = lane(from.spin_momentum_rate, place);
+    out.lost_in_tires = lane(from.lost_in_tires, place);
+    return out;
 }
 
 }  // namespace hamilcar

@@ -79,6 +79,18 @@ struct LinkageDescription {
         for (const CutJointDescription& cut : cuts) count += equations(cut.kind);
         return count;
     }
+    // Whether a coordinate is an angle [rad]; else it is a length [m].
+    bool turns(int coordinate) const {
+        for (const TreeJointDescription& joint : joints) {
+            const int own = freedoms(joint.kind);
+            if (coordinate < own) {
+                const bool slides = joint.kind == TreeJoint::free ? coordinate < 3 : joint.kind == TreeJoint::prismatic;
+                return !slides;
+            }
+            coordinate -= own;
+        }
+        return false;
+    }
 };
 
 }  // namespace hamilcar

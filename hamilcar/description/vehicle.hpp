@@ -17,8 +17,7 @@
 
 namespace hamilcar {
 
-inline constexpr int max_spokes = 12;    // corners of the kinds that have a program of their own
-inline constexpr int max_composed = 40;  // suspensions composed of parts
+inline constexpr int max_suspensions = 40;
 inline constexpr int max_trailers = 8;
 
 // A rigid body; inertia about its own center of mass, axes parallel to the vehicle frame at design.
@@ -35,31 +34,6 @@ struct WheelDescription {
     Point spin_axis{};        // unit, toward +y: a wheel rolling forward spins positive about it
     double spin_inertia = 0;  // wheel, tire and disc about the spin axis [kg m^2]
 };
-
-// Strut composite joint (ST) plus a massless control arm (RS cut joint) and a tie rod (D cut joint): the paper's Fig. 3.
-struct MacPhersonDescription {
-    Point strut_top{};                     // T, on the chassis
-    Point slide_point{};                   // S, on the spindle; the strut slides along S -> T and its length is |T - S|
-    Point arm_front{};                     // A1, control arm axis, front bush
-    Point arm_rear{};                      // A2, control arm axis, rear bush
-    Point ball_joint{};                    // C, on the spindle
-    Point rack_end{};                      // R, tie rod inner end at rack displacement 0
-    Point tie_rod_outer{};                 // Q, on the spindle
-    Point rack_axis{0, 1, 0};              // unit; a positive rack displacement moves R along it
-    bool steered = true;                   // otherwise R is fixed in the chassis
-    std::optional<double> arm_length;      // |C - foot of C on the arm axis| [m]; from the hardpoints if absent
-    std::optional<double> tie_rod_length;  // |Q - R| [m]; from the hardpoints if absent
-};
-
-// One revolute joint (R): the paper's Fig. 4. Jounce is a positive arm angle.
-struct SemiTrailingArmDescription {
-    Point inner_bush{};
-    Point outer_bush{};
-    Point spring_arm{}, spring_body{};  // spring seats on arm and chassis
-    Point damper_arm{}, damper_body{};  // damper mounts on arm and chassis
-};
-
-using SuspensionDescription = std::variant<MacPhersonDescription, SemiTrailingArmDescription>;
 
 // Axial force F = force_at_design + rate (design length - length), positive in compression.
 struct SpringDescription {
@@ -90,34 +64,14 @@ struct BrakeDescription {
     double valve_slope = 1;       // share of the growth that it lets through [1]
 };
 
-// One wheel with everything that carries it: a spoke of the hub-and-spoke model.
-struct CornerDescription {
-    std::string name;  // "front_left": prefix of its channels
-    SuspensionDescription suspension;
-    BodyDescription carrier;
-    WheelDescription wheel;
-    SpringDescription spring;
-    DamperDescription damper;
-    StopDescription bump, rebound;
-    TireDescription tire;
-    BrakeDescription brake;
-    double drive_share = 0;  // of the drive torque at this wheel [1]; an open differential gives each side one half
-};
-
-// Couples the wheel travels of two corners: force rate * (z_left - z_right) pushes the higher wheel down.
-struct AntiRollBarDescription {
-    std::size_t left = 0, right = 0;  // indices into `corners`
-    double rate = 0;                  // [N/m]
-};
-
-// Any suspension as a composition of parts: an axle with two wheels, or one wheel's own. The motor vehicle is unit 0,
+// A suspension as a composition of parts: an axle with two wheels, or one wheel's own. The motor vehicle is unit 0,
 // trailer i unit i + 1.
-struct ComposedBodyDescription {
+struct SuspensionBodyDescription {
     std::size_t part = 1;
     BodyDescription body;
 };
 
-struct ComposedWheelDescription {
+struct SuspensionWheelDescription {
     std::string name;      // "rear_left": prefix of its channels
     std::size_t part = 1;  // the carrier
     WheelDescription wheel;
@@ -134,33 +88,35 @@ struct LineDescription {
     std::size_t part = 1, base = 0;
     Point on_part{}, on_base{};
     std::optional<int> coordinate;
+    double at_design = 0;  // length along the coordinate there [m or rad]
 };
 
-struct ComposedSpringDescription {
+struct SuspensionSpringDescription {
     std::string name;  // of the wheel it belongs to, prefix of its channels
     LineDescription line;
     SpringDescription spring;  // along a rotation: [N m/rad], [N m]
 };
 
-struct ComposedDamperDescription {
+struct SuspensionDamperDescription {
     std::string name;
     LineDescription line;
     DamperDescription damper;
 };
 
-struct ComposedSpokeDescription {
-    std::string name;        // "rear", or "rear_left" where each wheel has its own
-    std::string suspension;  // keyword
-    std::size_t unit = 0;    // what it hangs on
+struct SuspensionDescription {
+    std::string name;      // "rear", or "rear_left" where each wheel has its own
+    std::string keyword;   // "macpherson"
+    std::size_t unit = 0;  // what it hangs on
     LinkageDescription linkage;
-    std::vector<ComposedBodyDescription> bodies;
-    std::vector<ComposedWheelDescription> wheels;
-    std::vector<ComposedSpringDescription> springs;
-    std::vector<ComposedDamperDescription> dampers;
+    std::vector<SuspensionBodyDescription> bodies;
+    std::vector<SuspensionWheelDescription> wheels;
+    std::vector<SuspensionSpringDescription> springs;
+    std::vector<SuspensionDamperDescription> dampers;
 };
 
-// A bar between two wheels of composed suspensions, numbered through all of them in order.
-struct ComposedBarDescription {
+// Couples the travels of two wheels, numbered through all suspensions in order: force rate * (z_left - z_right) pushes the
+// higher one down.
+struct AntiRollBarDescription {
     std::size_t left = 0, right = 0;
     double rate = 0;  // [N/m] of wheel travel difference
 };
@@ -217,10 +173,8 @@ struct SteeringDescription {
 struct VehicleDescription {
     std::string name;
     BodyDescription chassis;
-    std::vector<CornerDescription> corners;
+    std::vector<SuspensionDescription> suspensions;
     std::vector<AntiRollBarDescription> anti_roll_bars;
-    std::vector<ComposedSpokeDescription> composed;
-    std::vector<ComposedBarDescription> composed_bars;
     std::vector<TrailerDescription> trailers;
     AerodynamicsDescription aerodynamics;
     HullDescription hull;
@@ -230,13 +184,11 @@ struct VehicleDescription {
     double gravity = 9.80665;                            // [m/s^2]
 };
 
-// Calls f(wheel, unit) for the wheels of corners, then for those of composed suspensions: the vehicle's order of wheels. Both
-// kinds have a name, a wheel, a tire, a brake and a drive_share.
+// Calls f(wheel, unit) for all wheels, in the vehicle's order.
 template <class F>
 void for_each_wheel(const VehicleDescription& vehicle, F&& f) {
-    for (const CornerDescription& corner : vehicle.corners) f(corner, std::size_t{0});
-    for (const ComposedSpokeDescription& spoke : vehicle.composed) {
-        for (const ComposedWheelDescription& wheel : spoke.wheels) f(wheel, spoke.unit);
+    for (const SuspensionDescription& suspension : vehicle.suspensions) {
+        for (const SuspensionWheelDescription& wheel : suspension.wheels) f(wheel, suspension.unit);
     }
 }
 
@@ -247,10 +199,9 @@ inline double driven_share(const VehicleDescription& vehicle) {
     return driven;
 }
 
-// Wheels of composed suspensions: the number of the next.
-inline std::size_t composed_wheel_count(const VehicleDescription& vehicle) {
+inline std::size_t wheel_count(const VehicleDescription& vehicle) {
     std::size_t count = 0;
-    for (const ComposedSpokeDescription& spoke : vehicle.composed) count += spoke.wheels.size();
+    for (const SuspensionDescription& suspension : vehicle.suspensions) count += suspension.wheels.size();
     return count;
 }
 

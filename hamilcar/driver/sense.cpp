@@ -20,9 +20,7 @@ double angle_of(double y, double x) {
 
 std::array<double, max_differentials> differential_speeds(const Model<double>& model, const State<double>& state,
                                                           const Velocity<double>& velocity) {
-    const Vehicle<double>& vehicle = model.vehicle;
-    return vehicle.powertrain.input_speeds(
-        shaft_speeds(vehicle, state, velocity, corner_axes<double, double>(vehicle, velocity)));
+    return model.vehicle.powertrain.input_speeds(shaft_speeds(model.vehicle, state, velocity));
 }
 
 // Torque at all wheels together per torque at a differential's input: every differential on the way multiplies it.

@@ -11,7 +11,7 @@ template <class E>
 class TurnRecorder {
 public:
     using T = Traced<E>;
-    using S = Abreast<T>;
+    using S = Paired<T>;
 
     TurnRecorder(const Model<double>& model, const CommonCar& common, TurnTrace& to)
         : from_(model), common_(common), to_(to), tracing_(to.graph) {}
@@ -35,7 +35,7 @@ public:
         to_.graph.set_block(program::Block::velocity);
         const Velocity<T, S> velocity = velocity_block_of<S>(model, state, driver);
         to_.graph.set_block(program::Block::momenta);
-        const Momenta<T, S> momenta = momenta_block_of<Account::full>(model, state, driver, velocity);
+        const Momenta<T> momenta = momenta_block_of(model, state, driver, velocity);
         to_.graph.set_block(program::Block::integration);
         rate_of_state(model, state, velocity, momenta, rate);
         if (!model.energy_balance) rate.work() = T(0);
@@ -55,7 +55,6 @@ private:
     Model<T> traced_model() {
         Model<T> model;
         transcribe_model(model, from_, *this);
-        model.vehicle.rows = in_rows<S>(model.vehicle.spokes, model.vehicle.places);
         pair_up(model.vehicle);
         model.surface = from_.surface;
         model.chart = from_.chart;
@@ -64,28 +63,47 @@ private:
         return model;
     }
 
-    // Neighboring composed spokes whose counts and choices are the same.
+    // Neighboring suspensions whose counts and choices are the same; of the others the two wheels of an axle.
     void pair_up(Vehicle<T>& vehicle) const {
-        const std::vector<ComposedSpoke<double>>& spokes = from_.vehicle.composed;
-        for (std::size_t i = 0; i + 1 < spokes.size(); ++i) {
-            if (shape_of(spokes[i]) != shape_of(spokes[i + 1])) continue;
-            ComposedPair<S>& pair = vehicle.pairs.emplace_back();
-            gather(pair.spokes, std::array<const ComposedSpoke<T>*, 2>{&vehicle.composed[i], &vehicle.composed[i + 1]});
+        const std::vector<Suspension<double>>& suspensions = from_.vehicle.suspensions;
+        for (std::size_t i = 0; i < suspensions.size(); ++i) {
+            const bool has_twin =
+                i + 1 < suspensions.size() && shape_of(alike(suspensions[i])) == shape_of(alike(suspensions[i + 1]));
+            if (!has_twin) {
+                pair_wheels(suspensions[i], vehicle.suspensions[i]);
+                continue;
+            }
+            SuspensionPair<S>& pair = vehicle.pairs.emplace_back();
+            gather(pair.both,
+                   std::array<const Suspension<T>*, 2>{&vehicle.suspensions[i], &vehicle.suspensions[i + 1]});
             pair.first = static_cast<int>(i);
-            pair.offset = {spokes[i].offset, spokes[i + 1].offset};
-            pair.spokes.offset = 0;
+            pair.offset = {suspensions[i].offset, suspensions[i + 1].offset};
+            pair.both.offset = 0;
             ++i;
         }
     }
-    static std::vector<int> shape_of(ComposedSpoke<double> spoke) {
+    static void pair_wheels(const Suspension<double>& from, Suspension<T>& to) {
+        if (from.wheels.size() != 2 || shape_of(alike(from.wheels[0])) != shape_of(alike(from.wheels[1]))) return;
+        gather(to.both_wheels.emplace_back(), std::array<const SuspensionWheel<T>*, 2>{&to.wheels[0], &to.wheels[1]});
+    }
+    // Without what may differ.
+    static Suspension<double> alike(Suspension<double> suspension) {
+        suspension.offset = suspension.first_wheel = 0;
+        return suspension;
+    }
+    static SuspensionWheel<double> alike(SuspensionWheel<double> wheel) {
+        wheel.frame = wheel.reaction = wheel.offset = 0;
+        return wheel;
+    }
+    template <class Part>
+    static std::vector<int> shape_of(const Part& part) {
         struct Collect {
             std::vector<int> shape;
             double number(double value) { return value; }
             int whole(int value) { return shape.push_back(value), value; }
         } collect;
-        spoke.offset = spoke.first_wheel = 0;  // they may differ
-        ComposedSpoke<double> copy;
-        transcribe(copy, spoke, collect);
+        Part copy;
+        transcribe(copy, part, collect);
         return collect.shape;
     }
 

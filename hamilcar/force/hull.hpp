@@ -41,10 +41,11 @@ struct Hull {
 
     // Whether the box around the points does, or nearly: all that an upright car pays for. The margin is beyond round-off,
     // so that a car whose box does not reach has no point that would.
-    auto reaches(const RoadPlane<T>& road) const {
+    auto reaches(const RoadPlane<T>& road) const { return clearance(road) < T(1e-3); }
+    // Of the box above the plane [m].
+    T clearance(const RoadPlane<T>& road) const {
         const Vec3<T>& n = road.normal;
-        const T reach = abs(n[0]) * half[0] + abs(n[1]) * half[1] + abs(n[2]) * half[2];
-        return n.dot(center) - reach < road.offset + T(1e-3);
+        return n.dot(center) - (abs(n[0]) * half[0] + abs(n[1]) * half[1] + abs(n[2]) * half[2]) - road.offset;
     }
 
     struct Contact {

@@ -75,10 +75,14 @@ Lines read_lines(const TableReader& table, const AxleSides& sides) {
                                                               : between_points(table, sides);
 }
 
-// [axle.spring], then every [[axle.further_spring]].
-std::vector<TableReader> elements(const TableReader& axle, std::string_view key, std::string_view further) {
+// [axle.spring], which must be there where the suspension itself says where it acts, then every [[axle.further_spring]].
+std::vector<TableReader> elements(const TableReader& axle, std::string_view key, std::string_view further,
+                                  bool has_own_line) {
     std::vector<TableReader> out;
-    if (const auto table = axle.optional_table(key)) out.push_back(*table);
+    if (has_own_line) {
+        out.push_back(axle.table(key));
+    } else if (const auto table = axle.optional_table(key))
+        out.push_back(*table);
     if (!axle.has(further)) return out;
     const std::vector<TableReader> more = axle.tables(further);
     out.insert(out.end(), more.begin(), more.end());
@@ -113,22 +117,24 @@ void turn_over(DamperDescription& damper) {
 
 }  // namespace
 
-void add_springs_and_dampers(const TableReader& axle, const AxleSides& sides, ComposedSpokeDescription& left,
-                             ComposedSpokeDescription& right) {
+void add_springs_and_dampers(const TableReader& axle, const AxleSides& sides, SuspensionDescription& left,
+                             SuspensionDescription& right) {
     const std::string name = axle.text("name");
-    std::vector<ComposedSpringDescription> right_springs;
-    std::vector<ComposedDamperDescription> right_dampers;
+    std::vector<SuspensionSpringDescription> right_springs;
+    std::vector<SuspensionDamperDescription> right_dampers;
     std::size_t number = 0;
-    for (const TableReader& table : elements(axle, "spring", "further_spring")) {
-        const Lines lines = read_lines(table, sides);
+    for (const TableReader& table : elements(axle, "spring", "further_spring", sides.left.spring_line.has_value())) {
+        const bool own = number == 0 && sides.left.spring_line;
+        const Lines lines = own ? Lines{*sides.left.spring_line, *sides.right.spring_line} : read_lines(table, sides);
         SpringDescription spring = read_spring(table, lines.turns);
         left.springs.push_back({numbered(name + "_left", number), lines.left, spring});
         spring.force_at_design *= lines.sense;
         right_springs.push_back({numbered(name + "_right", number++), lines.right, spring});
     }
     number = 0;
-    for (const TableReader& table : elements(axle, "damper", "further_damper")) {
-        const Lines lines = read_lines(table, sides);
+    for (const TableReader& table : elements(axle, "damper", "further_damper", sides.left.damper_line.has_value())) {
+        const bool own = number == 0 && sides.left.damper_line;
+        const Lines lines = own ? Lines{*sides.left.damper_line, *sides.right.damper_line} : read_lines(table, sides);
         DamperDescription damper = read_any_damper(table, lines.turns);
         left.dampers.push_back({numbered(name + "_left", number), lines.left, damper});
         if (lines.sense < 0) turn_over(damper);

@@ -1,4 +1,4 @@
-// Reads the springs and dampers of a composed suspension: [axle.spring], [[axle.further_spring]], and likewise dampers.
+// Reads the springs and dampers of a suspension: [axle.spring], [[axle.further_spring]], and likewise dampers.
 #pragma once
 
 #include "hamilcar/description/vehicle.hpp"
@@ -7,14 +7,14 @@
 
 namespace hamilcar::io {
 
-// An axle's two sides, which are one composition where one spoke carries both wheels.
+// An axle's two sides, which are one composition where one suspension carries both wheels.
 struct AxleSides {
     const Composition &left, &right;
     std::string_view usual_part;  // that springs act on unless the file says otherwise
 };
 
-// Each is given for the left side and comes with its mirror image. The two spokes may be one.
-void add_springs_and_dampers(const TableReader& axle, const AxleSides& sides, ComposedSpokeDescription& left,
-                             ComposedSpokeDescription& right);
+// Each is given for the left side and comes with its mirror image. The two may be one.
+void add_springs_and_dampers(const TableReader& axle, const AxleSides& sides, SuspensionDescription& left,
+                             SuspensionDescription& right);
 
 }  // namespace hamilcar::io

@@ -1,14 +1,18 @@
-// Reads an axle whose suspension has a program of its own. All others: composed_axle_file.hpp.
+// Reads an axle: its suspension by one of the recipes, or joint by joint.
 #pragma once
 
 #include "hamilcar/io/wheel_file.hpp"
+#include "hamilcar/suspension/recipe.hpp"
 
 namespace hamilcar::io {
 
-bool has_own_program(std::string_view suspension);
+// Adds the axle's suspensions, one with two wheels or one on each side, to the vehicle; `unit` is what they hang on.
+void read_axle(const TableReader& axle, const NamedTires& tires, std::size_t unit, VehicleDescription& vehicle);
 
-// The left corner of an [[axle]] of such a suspension, named "<axle>_left"; it has half of the axle's share of the drive
-// torque.
-CornerDescription read_left_corner(const TableReader& axle, std::string_view suspension, const NamedTires& tires);
+// Tells a recorder what keys mean, in a suspension or everywhere.
+void note_meanings(const TableReader& table, const std::vector<HardpointKey>& keys, std::string_view suspension = {});
+
+// All words that `suspension` may be.
+std::vector<std::string_view> suspension_keywords();
 
 }  // namespace hamilcar::io

@@ -3,8 +3,6 @@
 // (-a, b, -c). The rack is one piece and its axis stays.
 #include "hamilcar/io/mirror.hpp"
 
-#include "hamilcar/tire/mirrored.hpp"
-
 namespace hamilcar::io {
 
 namespace {
@@ -12,14 +10,6 @@ namespace {
 template <class... Points>
 void mirror_points(Points&... points) {
     ((points[1] = -points[1]), ...);
-}
-
-void mirror_hardpoints(MacPhersonDescription& p) {
-    mirror_points(p.strut_top, p.slide_point, p.arm_front, p.arm_rear, p.ball_joint, p.rack_end, p.tie_rod_outer);
-}
-
-void mirror_hardpoints(SemiTrailingArmDescription& p) {
-    mirror_points(p.inner_bush, p.outer_bush, p.spring_arm, p.spring_body, p.damper_arm, p.damper_body);
 }
 
 }  // namespace
@@ -35,14 +25,6 @@ WheelDescription mirrored(WheelDescription wheel) {
     auto& [a, b, c] = wheel.spin_axis;
     a = -a, c = -c;
     return wheel;
-}
-
-CornerDescription mirrored(CornerDescription corner) {
-    std::visit([](auto& points) { mirror_hardpoints(points); }, corner.suspension);
-    mirror(corner.carrier);
-    corner.wheel = mirrored(corner.wheel);
-    corner.tire = hamilcar::mirrored(corner.tire);
-    return corner;
 }
 
 }  // namespace hamilcar::io

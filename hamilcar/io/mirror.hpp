@@ -5,9 +5,6 @@
 
 namespace hamilcar::io {
 
-// Everything but the name.
-CornerDescription mirrored(CornerDescription left);
-
 WheelDescription mirrored(WheelDescription left);
 void mirror(BodyDescription& body);
 

@@ -231,7 +231,7 @@ PowerUnitDescription read_power_unit(const TableReader& table, const VehicleDesc
 std::vector<std::string> names_of_others(const VehicleDescription& vehicle) {
     std::vector<std::string> names;
     for_each_wheel(vehicle, [&](const auto& wheel, std::size_t) { names.push_back(wheel.name); });
-    for (const ComposedSpokeDescription& spoke : vehicle.composed) names.push_back(spoke.name);
+    for (const SuspensionDescription& suspension : vehicle.suspensions) names.push_back(suspension.name);
     for (const TrailerDescription& trailer : vehicle.trailers) names.push_back(trailer.name);
     return names;
 }

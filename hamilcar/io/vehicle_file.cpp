@@ -1,4 +1,4 @@
-// The whole vehicle from its tables: hub first, then axle by axle, each left and right.
+// The whole vehicle from its tables: chassis first, then axle by axle, each left and right.
 #include "hamilcar/io/vehicle_file.hpp"
 
 #include <algorithm>
@@ -8,14 +8,10 @@
 
 #include "hamilcar/io/axle_file.hpp"
 #include "hamilcar/io/body_file.hpp"
-#include "hamilcar/io/composed_axle_file.hpp"
-#include "hamilcar/io/mirror.hpp"
 #include "hamilcar/io/name.hpp"
 #include "hamilcar/io/number_text.hpp"
 #include "hamilcar/io/powertrain_file.hpp"
-#include "hamilcar/suspension/compose_corner.hpp"
-#include "hamilcar/vehicle/composed.hpp"
-#include "hamilcar/vehicle/layout.hpp"
+#include "hamilcar/vehicle/vehicle.hpp"
 
 namespace hamilcar::io {
 
@@ -102,48 +98,14 @@ SteeringDescription read_steering(const std::optional<TableReader>& table) {
     return steering;
 }
 
-// Both sides of an axle whose suspension has a program of its own. On a trailer, or where a vehicle has more of them than
-// there are places, they are composed of parts like all others.
-void read_corners(const TableReader& axle, std::string_view suspension, const NamedTires& tires, std::size_t unit,
-                  VehicleDescription& vehicle) {
-    const CornerDescription left = read_left_corner(axle, suspension, tires);
-    const auto* strut = std::get_if<MacPhersonDescription>(&left.suspension);
-    axle.table("hardpoints").expect(unit == 0 || !strut || !strut->steered, "steered", "false on a trailer");
-    CornerDescription right = mirrored(left);
-    right.name = axle.text("name") + "_right";
-    const auto bar = axle.optional_table("anti_roll_bar");
-    const double rate = bar ? bar->number("rate_N_per_m", not_negative) : 0;
-    if (unit == 0 && vehicle.corners.size() + 2 <= max_spokes) {
-        if (bar) vehicle.anti_roll_bars.push_back({vehicle.corners.size(), vehicle.corners.size() + 1, rate});
-        vehicle.corners.push_back(left), vehicle.corners.push_back(right);
-        return;
-    }
-    const std::size_t first = composed_wheel_count(vehicle);
-    if (bar) vehicle.composed_bars.push_back({first, first + 1, rate});
-    for (const CornerDescription& corner : {left, right}) {
-        vehicle.composed.push_back(compose_corner(corner));
-        vehicle.composed.back().unit = unit;
-    }
-}
-
-std::string_view suspension_of(const TableReader& axle) {
-    const std::vector<std::string_view> words = suspension_keywords();
-    return words[axle.one_of("suspension", words)];
-}
-
 void read_axles(const TableReader& owner, const NamedTires& tires, std::size_t unit, std::vector<std::string>& names,
                 VehicleDescription& vehicle) {
     for (const TableReader& axle : owner.tables("axle")) {
         check_name(axle, names, "axle or trailer");
-        const std::string_view suspension = suspension_of(axle);
-        if (has_own_program(suspension)) {
-            read_corners(axle, suspension, tires, unit, vehicle);
-        } else {
-            read_composed_axle(axle, tires, unit, vehicle);
-        }
+        read_axle(axle, tires, unit, vehicle);
     }
-    owner.expect(vehicle.composed.size() <= max_composed, "axle",
-                 std::to_string(max_composed) + " suspensions at most");
+    owner.expect(vehicle.suspensions.size() <= max_suspensions, "axle",
+                 std::to_string(max_suspensions) + " suspensions at most");
 }
 
 void read_trailer(const TableReader& table, const NamedTires& tires, std::vector<std::string>& names,
@@ -166,13 +128,13 @@ void read_trailer(const TableReader& table, const NamedTires& tires, std::vector
     read_axles(table, tires, vehicle.trailers.size(), names, vehicle);
 }
 
-// How many numbers of a state composed suspensions and hitches take.
-int composed_numbers(const VehicleDescription& vehicle) {
+// How many numbers of a state suspensions and hitches take.
+int numbers_of_suspensions(const VehicleDescription& vehicle) {
     int count = 0;
-    for (const ComposedSpokeDescription& spoke : vehicle.composed) {
-        count += 2 * spoke.linkage.coordinate_count() - spoke.linkage.equation_count();
-        for (const ComposedWheelDescription& wheel : spoke.wheels) {
-            count += ComposedWheel<double>::size(wheel.dual_spacing > 0 ? 2 : 1);
+    for (const SuspensionDescription& suspension : vehicle.suspensions) {
+        count += 2 * suspension.linkage.coordinate_count() - suspension.linkage.equation_count();
+        for (const SuspensionWheelDescription& wheel : suspension.wheels) {
+            count += SuspensionWheel<double>::size(wheel.dual_spacing > 0 ? 2 : 1);
         }
     }
     for (const TrailerDescription& trailer : vehicle.trailers) {
@@ -192,10 +154,8 @@ VehicleDescription read_vehicle(const TableReader& file) {
     const BodyDescription chassis = read_body(file.table("chassis"));
     VehicleDescription vehicle{.name = file.text("name"),
                                .chassis = chassis,
-                               .corners = {},
+                               .suspensions = {},
                                .anti_roll_bars = {},
-                               .composed = {},
-                               .composed_bars = {},
                                .trailers = {},
                                .aerodynamics = {},
                                .hull = read_hull(file.optional_table("hull")),
@@ -212,8 +172,8 @@ VehicleDescription read_vehicle(const TableReader& file) {
                     std::to_string(max_trailers) + " trailers at most");
     }
     file.expect(
-        composed_numbers(vehicle) <= composed_capacity, "axle",
-        std::to_string(composed_capacity) + " coordinates, momenta and wheel states of composed suspensions at most");
+        numbers_of_suspensions(vehicle) <= beyond_chassis_capacity, "axle",
+        std::to_string(beyond_chassis_capacity) + " coordinates, momenta and wheel states of suspensions at most");
     const double driven = driven_share(vehicle);
     file.tables("axle").back().expect(
         driven == 0 || std::abs(driven - 1) < 1e-9, "drive_share",
@@ -221,9 +181,9 @@ VehicleDescription read_vehicle(const TableReader& file) {
     vehicle.aerodynamics = read_aerodynamics(file.optional_table("aerodynamics"), vehicle);
     read_powertrain(file, vehicle);
     const std::size_t powertrain = 4 * vehicle.power_units.size() + vehicle.differentials.size() + 1;
-    file.expect(composed_numbers(vehicle) + static_cast<int>(powertrain) <= composed_capacity, "power_unit",
+    file.expect(numbers_of_suspensions(vehicle) + static_cast<int>(powertrain) <= beyond_chassis_capacity, "power_unit",
                 "fewer coordinates of suspensions, or fewer power units and differentials: together they hold " +
-                    std::to_string(composed_capacity) + " numbers at most");
+                    std::to_string(beyond_chassis_capacity) + " numbers at most");
     file.finish();
     return vehicle;
 }

@@ -58,8 +58,8 @@ void add_equations(const CutJointDescription& cut, int part, int base, std::vect
 }
 
 // Tables without a partition: every coordinate counts as independent.
-ComposedLinkage<double> tables(const LinkageDescription& d) {
-    ComposedLinkage<double> out;
+Linkage<double> tables(const LinkageDescription& d) {
+    Linkage<double> out;
     for (const TreeJointDescription& joint : d.joints) {
         add_freedoms(joint, frame_of_part(d, joint.parent), out.freedoms);
     }
@@ -76,9 +76,9 @@ ComposedLinkage<double> tables(const LinkageDescription& d) {
 }
 
 // Phi_q at design with rows of length one; angles count as 0.3 m of arc, about an arm's length.
-Eigen::MatrixXd scaled_jacobian(const ComposedLinkage<double>& linkage) {
+Eigen::MatrixXd scaled_jacobian(const Linkage<double>& linkage) {
     const std::vector<double> q(linkage.freedoms.size(), 0.0);
-    ComposedPosition<double> at;
+    LinkagePosition<double> at;
     linkage.find_loops(q.data(), q.data(), RackMotion<double>{}, at);
     Eigen::MatrixXd Phi_q(linkage.equations.size(), linkage.freedoms.size());
     for (int e = 0; e < Phi_q.rows(); ++e) {
@@ -110,10 +110,10 @@ std::string redundant_cuts(const LinkageDescription& d, const Eigen::MatrixXd& P
 }
 
 // The part that moves most while all wheels keep their height.
-std::string loose_part(const LinkageDescription& d, const ComposedLinkage<double>& linkage,
-                       const Eigen::MatrixXd& Phi_q, const std::vector<CarriedPoint>& wheels) {
+std::string loose_part(const LinkageDescription& d, const Linkage<double>& linkage, const Eigen::MatrixXd& Phi_q,
+                       const std::vector<CarriedPoint>& wheels) {
     const std::vector<double> q(linkage.freedoms.size(), 0.0);
-    ComposedPosition<double> at;
+    LinkagePosition<double> at;
     linkage.find_loops(q.data(), q.data(), RackMotion<double>{}, at);
     Eigen::MatrixXd held(Phi_q.rows() + static_cast<Eigen::Index>(wheels.size()), Phi_q.cols());
     held.topRows(Phi_q.rows()) = Phi_q;
@@ -177,7 +177,7 @@ struct Elimination {
 
 // Chosen once, at design, with the zeros that the linkage has: a step exchanges rows only where these pivots do not serve
 // (math/small_solve.hpp).
-void choose_pivots(ComposedLinkage<double>& linkage) {
+void choose_pivots(Linkage<double>& linkage) {
     const int n = std::min(linkage.nW(), static_cast<int>(linkage.equations.size()));
     const Eigen::MatrixXd Phi_q = scaled_jacobian(linkage);
     Elimination left{Eigen::MatrixXd(n, n), {}, {}, {}};
@@ -206,7 +206,7 @@ int frame_of_part(const LinkageDescription& linkage, std::size_t part) {
 
 LinkageVerdict choose_partition(const LinkageDescription& d, const std::vector<CarriedPoint>& wheels) {
     const int wanted = static_cast<int>(wheels.size());
-    const ComposedLinkage<double> linkage = tables(d);
+    const Linkage<double> linkage = tables(d);
     const Eigen::MatrixXd Phi_q = scaled_jacobian(linkage);
     const int coordinates = static_cast<int>(Phi_q.cols()), equations = static_cast<int>(Phi_q.rows());
     LinkageVerdict out;
@@ -231,8 +231,8 @@ LinkageVerdict choose_partition(const LinkageDescription& d, const std::vector<C
     return out;
 }
 
-ComposedLinkage<double> compose(const LinkageDescription& d) {
-    ComposedLinkage<double> out = tables(d);
+Linkage<double> compose(const LinkageDescription& d) {
+    Linkage<double> out = tables(d);
     out.independent = d.independent;
     if (out.independent.empty()) {
         out.independent = choose_partition(d, {}).independent;

@@ -1,10 +1,10 @@
-// From a linkage as people describe it to the tables of a ComposedLinkage: joints become coordinates, cut joints equations.
+// From a linkage as people describe it to the tables of a Linkage: joints become coordinates, cut joints equations.
 #pragma once
 
 #include <string>
 
 #include "hamilcar/description/linkage.hpp"
-#include "hamilcar/linkage/composed_linkage.hpp"
+#include "hamilcar/linkage/linkage.hpp"
 #include "hamilcar/math/convert.hpp"
 
 namespace hamilcar {
@@ -13,16 +13,16 @@ namespace hamilcar {
 int frame_of_part(const LinkageDescription& linkage, std::size_t part);
 
 // The tables in doubles, partitioned as described or, if the description leaves it open, as `choose_partition` does.
-ComposedLinkage<double> compose(const LinkageDescription& linkage);
+Linkage<double> compose(const LinkageDescription& linkage);
 
 // The same for any number.
 template <class T>
-ComposedLinkage<T> compose_for(const LinkageDescription& linkage) {
+Linkage<T> compose_for(const LinkageDescription& linkage) {
     if constexpr (std::is_same_v<T, double>) {
         return compose(linkage);
     } else {
-        const ComposedLinkage<double> one = compose(linkage);
-        ComposedLinkage<T> out;
+        const Linkage<double> one = compose(linkage);
+        Linkage<T> out;
         for (const auto& f : one.freedoms) {
             out.freedoms.push_back({f.slides, f.parent, f.same_point, as<T>(f.point), as<T>(f.axis)});
         }

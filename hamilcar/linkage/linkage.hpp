@@ -1,284 +1,291 @@
-// A linkage is a list of tree joints from the chassis to the carrier, a list of cut joints between carrier and chassis,
-// and the choice of independent coordinates. B, Phi_q, H, X and all their rates are written here, once, from the parts.
+// A linkage of any shape, as tables: a tree of parts from the chassis outward, loops closed by cut joints between any two of
+// them, and the choice of independent coordinates. B, Phi_q, H, X and all their rates are written here, once.
 //
-// For a column (l ; e) of B and a gradient g at point P, Phi_q = g.(l + e x r), r = P seen from the anchor. With
-// J = B_V + B_W H (the paper's BH) and the drift x = B_W X (BX) the carrier moves, relative to the chassis, by
-// J V' + x, and P by P_J V' + P_x. Differentiating g.P_J = 0 gives the rate of H without ever forming the rate of Phi_q:
-//     H' = -Phi_w^-1 (g'.P_J + g.(omega_J x P' + P_Y)),   Y = B_V' + B_W' H                // (47)
-// and the rate of X the same way, with the drift as one more column.
+// Every tree joint is a chain of coordinates that turn about or slide along one axis, and coordinate k carries frame k + 1.
+// Every cut joint is a list of equations, distances and planes, and for both the row of Phi_q is one wrench (g ; P x g) on
+// `part` and its reaction on `base`: the entry of coordinate k is the wrench's power on the column of B, counted where the
+// coordinate carries one of the two and not the other. The motions of all frames, folded over the independent coordinates,
+// are collected outward, frame by frame: J (the paper's BH), the drift x (BX), and with the rates of the columns
+//     Z = sum B' Y,   J' = Z + sum B Y',   Y = (1 ; H)
+// so that (47) is  H' = -Phi_w^-1 (w'.(J_part - J_base) + w.(Z_part - Z_base))  and a spring's lever arm is w.(J_part - J_base).
 #pragma once
 
-#include <array>
-#include <tuple>
-#include <utility>
-
-#include "hamilcar/linkage/cut_joints.hpp"
+#include "hamilcar/linkage/linkage_parts.hpp"
 #include "hamilcar/linkage/rack_motion.hpp"
-#include "hamilcar/linkage/tree.hpp"
+#include "hamilcar/math/rotation.hpp"
 #include "hamilcar/math/small_solve.hpp"
 
 namespace hamilcar {
 
-template <int... I>
-struct Coordinates {
-    static constexpr int count = sizeof...(I);
-    static constexpr std::array<int, sizeof...(I)> index{I...};
-};
-
-// Where the carrier is and how it can move; everything the Velocity block needs from the linkage. Columns and arms are
-// about the anchor, J and x about the chassis origin.
-template <class T, class Columns, int nV, int nW, int cuts>
-struct LinkagePosition {
-    static constexpr bool drifts = nW > 0;  // whether x can be other than zero
-    Pose<T> pose;
-    Columns B;                       // of the tree joints  // (14), (17), (18), A.2
-    Vector<T, nW> Phi;               // constraint equations  // (25)
-    Matrix<T, 3, nW> gradients;      // of Phi with respect to P  // (26), A.3
-    std::array<Vec3<T>, cuts> arms;  // r of each cut joint
-    Matrix<T, nW, nW> Phi_w_inverse;
-    T determinant;          // of Phi_w: zero where the linkage locks
-    Matrix<T, nW, nV> H;    // (39)
-    Vector<T, nW> X;        // (39)
-    Vector<T, nW> closing;  // of W: -Phi_w^-1 Phi
-    Matrix<T, 6, nV> J;     // B_V + B_W H  // (43)
-    Spatial<T> x;           // B_W X  // (43)
-    LinkagePosition() {}    // leaves the numbers unset: every one is written by `position`
-};
-
-template <class T, class JointList, class CutList, class IndependentList, class DependentList>
-struct Linkage;
-
-template <class T, class... Joints, class... Cuts, class Independent, class Dependent>
-struct Linkage<T, std::tuple<Joints...>, std::tuple<Cuts...>, Independent, Dependent> {
-    static constexpr int nq = (Joints::coordinates + ... + 0);
-    static constexpr int nV = Independent::count;
-    static constexpr int nW = Dependent::count;
-    static constexpr int equations = (Cuts::equations + ... + 0);
-    static constexpr int cut_count = sizeof...(Cuts);
-    static_assert(nV + nW == nq && nW == equations);
-
-    std::tuple<Joints...> joints;
-    std::tuple<Cuts...> cuts;
-    static constexpr auto members() { return std::tuple(&Linkage::joints, &Linkage::cuts); }
-
-    static constexpr auto independent_indices() { return Independent::index; }
-    static constexpr auto dependent_indices() { return Dependent::index; }
-
-    // The point of the first joint: its columns turn about it. A linkage that starts with a translation has no such point.
-    Vec3<T> anchor() const {
-        if constexpr (requires { std::get<0>(joints).point; }) {
-            return std::get<0>(joints).point;
-        } else {
-            return Vec3<T>::Zero();
-        }
+template <class T>
+struct Linkage {
+    std::vector<Freedom<T>> freedoms;
+    std::vector<LoopEquation<T>> equations;
+    std::vector<int> independent, dependent;  // coordinates
+    std::vector<int> path;                    // of every frame: bit k set if coordinate k carries it
+    // The order in which Phi_w is eliminated: an equation and, as its pivot's column, a place among the dependent ones.
+    std::vector<int> pivot_equation, pivot_dependent;
+    static constexpr auto members() {
+        using L = Linkage;
+        return std::tuple(&L::freedoms, &L::equations, &L::independent, &L::dependent, &L::path, &L::pivot_equation,
+                          &L::pivot_dependent);
     }
+    int nq() const { return static_cast<int>(freedoms.size()); }
+    int nV() const { return static_cast<int>(independent.size()); }
+    int nW() const { return static_cast<int>(dependent.size()); }
 
-    using Outward = OutwardOrder<Joints...>;
-    using Columns = typename TreeColumns<T, Joints...>::type;
-    using Position = LinkagePosition<T, Columns, nV, nW, cut_count>;
-    using ColumnRates = typename decltype(carry_tree<Outward>(Rest(), Columns(), (const T*)nullptr))::second_type;
+    // A point of the hub that everything turns about first: there the columns of the first joint have no linear part.
+    Vec3<T> anchor() const { return freedoms[0].slides ? Vec3<T>(Vec3<T>::Zero()) : freedoms[0].point; }
 
-    // Rates seen from the chassis, once V' is known.
-    struct Rates {
-        Vector<T, nW> W;                      // W' = H V' + X  // (38)
-        Matrix<T, 6, nV> J;                   // about the chassis origin
-        ColumnRates B;                        // in the order outward
-        std::array<Vec3<T>, cut_count> tips;  // P'
-        Rates() {}
-    };
+    // Frames, columns of B and equations at given coordinates.
+    void find_loops(const T* V, const T* W, const RackMotion<T>& rack, LinkagePosition<T>& out) const {
+        place(V, W, out);
+        evaluate_loops(rack, out);
+    }
+    // 1 where the coordinate carries the equation's part alone, -1 where its base alone.
+    int sign(int e, int k) const { return ((path[equations[e].part] >> k) & 1) - ((path[equations[e].base] >> k) & 1); }
+    // Of Phi_q.  // (26), A.3
+    T entry(const LinkagePosition<T>& at, int e, int k) const {
+        const int s = sign(e, k);
+        if (s == 0) return T(0);
+        const T power = at.wrench[e].dot(at.B[k]);
+        return s > 0 ? power : T(-power);
+    }
 
     // Everything at given coordinates; X includes the stabilization term alpha Phi.
-    Position position(const T* V, const T* W, const RackMotion<T>& rack, const T& alpha) const {
-        Position out;
-        find_position(V, W, rack, alpha, out);
-        return out;
-    }
-    // The same, written where it is kept.
-    void find_position(const T* V, const T* W, const RackMotion<T>& rack, const T& alpha, Position& out) const {
-        out.pose = place_tree(joints, ChassisFrame<T>{}, coordinates(V, W).data(), anchor(), out.B);
-        if constexpr (nW == 0) {
-            out.determinant = T(1);
-            out.x.setZero();
-        } else {
-            evaluate_cuts(rack, out);
-            eliminate(rack, alpha, out);
-            out.x = referred<T>(drift(out), anchor());
-        }
-        for_each_independent([&](auto index) {
-            constexpr int j = index;
-            out.J.col(j) = referred<T>(column_of_J<j>(out), anchor());
-        });
+    void find_position(const T* V, const T* W, const RackMotion<T>& rack, const T& alpha,
+                       LinkagePosition<T>& out) const {
+        find_loops(V, W, rack, out);
+        eliminate(rack, alpha, out);
+        collect(out.B, out.follow, out.creep, out.own);
+        refer(out.own, out.motion);
     }
 
     // One Newton step W <- W - Phi_w^-1 Phi on the closed loops.
     void newton_step(const T* V, T* W, const RackMotion<T>& rack) const {
-        if constexpr (nW > 0) {
-            Position at;
-            at.pose = place_tree(joints, ChassisFrame<T>{}, coordinates(V, W).data(), anchor(), at.B);
-            evaluate_cuts(rack, at);
-            const Vector<T, nW> correction = inverse<T>(Phi_columns<Dependent>(at)).matrix * at.Phi;
-            for (int i = 0; i < nW; ++i) W[i] -= correction[i];
+        if (nW() == 0) return;
+        LinkagePosition<T> at;
+        find_loops(V, W, rack, at);
+        eliminate(rack, T(0), at);
+        for (int i = 0; i < nW(); ++i) W[i] += at.closing[i];
+    }
+
+    void find_rates(const LinkagePosition<T>& at, const std::array<T, max_freedoms>& V_rate, const RackMotion<T>& rack,
+                    LinkageRates<T>& out) const {
+        out.v[0].setZero();
+        for (int k = 0; k < nq(); ++k) {
+            T rate = at.creep[k];
+            for (int j = 0; j < nV(); ++j) rate += at.follow[k][j] * V_rate[j];  // (38), (40), (41)
+            out.q[k] = rate;
+            const Spatial<T>& v = out.v[freedoms[k].parent];
+            out.v[k + 1] = v + at.B[k] * rate;  // (18)
+            out.B[k] = cross_motion<T>(v, at.B[k]);
+        }
+        for (int e = 0; e < nW(); ++e) out.wrench[e] = wrench_rate(at, out, e, rack);
+        collect(out.B, at.follow, at.creep, out.own);
+        std::array<std::array<T, max_freedoms>, max_coordinates> follow_rate;
+        for (int j = 0; j < nV(); ++j) {
+            std::array<T, max_equations> bent;
+            for (int e = 0; e < nW(); ++e) {
+                const int part = equations[e].part, base = equations[e].base;
+                bent[e] = out.wrench[e].dot(at.own.J[part].col(j) - at.own.J[base].col(j)) +
+                          at.wrench[e].dot(out.own.J[part].col(j) - out.own.J[base].col(j));
+            }
+            for (int k = 0; k < nV(); ++k) follow_rate[independent[k]][j] = T(0);
+            for (int i = 0; i < nW(); ++i) follow_rate[dependent[i]][j] = -solved(at, i, bent);  // (47)
+        }
+        std::array<Matrix<T, 6, max_freedoms>, max_frames> turned_out;  // sum B Y'
+        turned_out[0].setZero(), out.motion.J[0].setZero();
+        for (int k = 0; k < nq(); ++k) {
+            for (int j = 0; j < nV(); ++j) {
+                turned_out[k + 1].col(j) = turned_out[freedoms[k].parent].col(j) + at.B[k] * follow_rate[k][j];
+                out.motion.J[k + 1].col(j) = referred(out.own.J[k + 1].col(j) + turned_out[k + 1].col(j));
+            }
         }
     }
 
-    Rates rates(const Position& at, const Vector<T, nV>& V_rate, const RackMotion<T>& rack) const {
-        Rates out;
-        if constexpr (nW > 0) out.W = at.H * V_rate + at.X;  // (38)
-        std::array<T, nq> q_rate;
-        for (int i = 0; i < nV; ++i) q_rate[Independent::index[i]] = V_rate[i];  // (40), (41)
-        for (int i = 0; i < nW; ++i) q_rate[Dependent::index[i]] = out.W[i];
-        const auto [v, B_rate] = carry_tree<Outward>(Rest{}, at.B, q_rate.data());
-        out.B = B_rate;
-        for (std::size_t i = 0; i < out.tips.size(); ++i) out.tips[i] = as_vector<T>(velocity_of(v, at.arms[i]));
-        for_each_independent([&](auto index) {
-            constexpr int j = index;
-            const auto H = [&](int i) { return at.H(i, j); };
-            const auto Y =
-                sum(std::get<Outward::place[Independent::index[j]]>(out.B), combined<OutwardDependent>(out.B, H));
-            if constexpr (nW == 0) {
-                out.J.col(j) = referred<T>(Y, anchor());
-            } else {
-                const Vector<T, nW> H_rate = -(at.Phi_w_inverse * bend(at, out, column_of_J<j>(at), Y, rack));  // (47)
-                const auto J_rate = sum(Y, combined<Dependent>(at.B, [&](int i) { return H_rate[i]; }));
-                out.J.col(j) = referred<T>(J_rate, anchor());
-            }
-        });
+    // Rate of the drift x of every frame, seen from the hub; only the energy balance asks for it.
+    void find_drift_rates(const LinkagePosition<T>& at, const LinkageRates<T>& rates, const RackMotion<T>& rack,
+                          const T& alpha, std::array<Spatial<T>, max_frames>& out) const {
+        std::array<T, max_equations> bent;
+        for (int e = 0; e < nW(); ++e) {
+            const LoopEquation<T>& eq = equations[e];
+            const Vec3<T> u = at.pose[eq.base].direction(eq.drive), u_rate = angular(rates.v[eq.base]).cross(u);
+            const Vec3<T> g = at.gradient[e], g_rate = linear(rates.wrench[e]);
+            bent[e] = rates.wrench[e].dot(at.own.x[eq.part] - at.own.x[eq.base]) +
+                      at.wrench[e].dot(rates.own.x[eq.part] - rates.own.x[eq.base]) - alpha * (alpha * at.Phi[e]) -
+                      ((g_rate.dot(u) + g.dot(u_rate)) * rack.rate + g.dot(u) * rack.acceleration);
+        }
+        out[0].setZero();
+        std::array<T, max_coordinates> creep_rate;
+        for (int k = 0; k < nV(); ++k) creep_rate[independent[k]] = T(0);
+        for (int i = 0; i < nW(); ++i) creep_rate[dependent[i]] = -solved(at, i, bent);
+        for (int k = 0; k < nq(); ++k) {
+            out[k + 1] = out[freedoms[k].parent] + rates.B[k] * at.creep[k] + at.B[k] * creep_rate[k];
+        }
+        for (int k = 0; k < nq(); ++k) out[k + 1] = referred(out[k + 1]);
+    }
+
+    // The line of force of a spring or a damper.  // (44)
+    LineOfAction<T> line(const ForceLine<T>& where, const LinkagePosition<T>& at, const T* V, const T* W) const {
+        LineOfAction<T> out;
+        if (where.coordinate >= 0) {
+            out.length = T(0);
+            for (int i = 0; i < nV(); ++i) out.length = independent[i] == where.coordinate ? V[i] : out.length;
+            for (int i = 0; i < nW(); ++i) out.length = dependent[i] == where.coordinate ? W[i] : out.length;
+            out.length += where.at_design;
+            out.gradient = at.follow[where.coordinate];
+            out.drift = at.creep[where.coordinate];
+            return out;
+        }
+        const Vec3<T> p = at.pose[where.part].point(where.on_part);
+        const Vec3<T> d = p - at.pose[where.base].point(where.on_base);
+        const T square = d.squaredNorm();
+        out.length = sqrt(square);
+        along(Vec3<T>(d * over_root(T(1), square)), p, where.part, where.base, at.own, out);
         return out;
     }
 
-    // Rate of the drift x about the chassis origin, seen from the chassis; only the energy balance asks for it.
-    Spatial<T> drift_rate(const Position& at, const Rates& rates, const RackMotion<T>& rack, const T& alpha) const {
-        if constexpr (nW == 0) {
-            return Spatial<T>::Zero();
-        } else {
-            const auto y = combined<OutwardDependent>(rates.B, [&](int i) { return at.X[i]; });
-            Vector<T, nW> drive_rate = bend(at, rates, drift(at), y, rack) - alpha * (alpha * at.Phi);
-            visit_cuts([&](const auto& cut, int row, std::size_t i) {
-                if constexpr (std::decay_t<decltype(cut)>::driven) {
-                    const auto [g_rate] = cut.gradient_rates(rates.tips[i], rack.rate);
-                    const Vec3<T> g = at.gradients.col(row);
-                    drive_rate[row] -= cut.drive_axis.dot(g_rate * rack.rate + g * rack.acceleration);
-                }
-            });
-            const Vector<T, nW> X_rate = -(at.Phi_w_inverse * drive_rate);
-            return referred<T>(sum(y, combined<Dependent>(at.B, [&](int i) { return X_rate[i]; })), anchor());
-        }
+    // How the motions about the anchor change the distance of part and base along n through p.
+    void along(const Vec3<T>& n, const Vec3<T>& p, int part, int base, const FrameMotions<T>& motion,
+               LineOfAction<T>& out) const {
+        const Spatial<T> wrench = force_at<T>(Vec3<T>(p - anchor()), n);
+        for (int j = 0; j < nV(); ++j) out.gradient[j] = wrench.dot(motion.J[part].col(j) - motion.J[base].col(j));
+        out.drift = wrench.dot(motion.x[part] - motion.x[base]);
     }
 
-    // Visits the cut joints in order: visit(cut joint, its first equation, its number).
-    template <class Visitor>
-    void visit_cuts(Visitor&& visit) const {
-        [&]<std::size_t... i>(std::index_sequence<i...>) {
-            [[maybe_unused]] int row = 0;
-            ((visit(std::get<i>(cuts), row, i), row += std::tuple_element_t<i, decltype(cuts)>::equations), ...);
-        }
-        (std::make_index_sequence<std::tuple_size_v<decltype(cuts)>>());
+    T opening(int e, const LinkagePosition<T>& at) const {
+        return equations[e].plane ? abs(at.Phi[e]) : abs(sqrt(at.span[e].squaredNorm()) - equations[e].length);
     }
 
 private:
-    // Where the rates of the dependent columns stand.
-    struct OutwardDependent {
-        static constexpr int count = nW;
-        static constexpr std::array<int, nW> index = [] {
-            std::array<int, nW> at{};
-            for (std::size_t i = 0; i < at.size(); ++i) {
-                at[i] = Outward::place[static_cast<std::size_t>(Dependent::index[i])];
+    void place(const T* V, const T* W, LinkagePosition<T>& out) const {
+        std::array<T, max_coordinates> q;
+        for (int i = 0; i < nV(); ++i) q[independent[i]] = V[i];
+        for (int i = 0; i < nW(); ++i) q[dependent[i]] = W[i];
+        out.pose[0] = {Mat3<T>::Identity(), Vec3<T>::Zero(), Vec3<T>::Zero()};
+        std::array<Vec3<T>, max_coordinates> arm;  // of each joint's point, from the anchor
+        for (int k = 0; k < nq(); ++k) {
+            const Freedom<T>& f = freedoms[k];
+            const Placement<T>& parent = out.pose[f.parent];
+            const Vec3<T> e = parent.direction(f.axis);
+            if (f.slides) {
+                out.pose[k + 1] = {parent.R, parent.at + e * q[k], parent.mark};
+                out.B[k] = spatial<T>(e, Vec3<T>::Zero());  // (17), A.2
+                continue;
             }
-            return at;
-        }();
-    };
-
-    template <class F>
-    static void for_each_independent(F&& f) {
-        [&]<int... j>(std::integer_sequence<int, j...>) {
-            (f(std::integral_constant<int, j>{}), ...);
+            const Vec3<T> at = f.same_point ? parent.at : parent.point(f.point);
+            out.pose[k + 1] = {parent.R * axis_rotation(f.axis, q[k]), at, f.point};
+            arm[k] = k == 0 ? Vec3<T>(Vec3<T>::Zero()) : f.same_point ? arm[f.parent - 1] : Vec3<T>(at - anchor());
+            out.B[k] = spatial<T>(arm[k].cross(e), e);  // (14), A.2
         }
-        (std::make_integer_sequence<int, nV>());
     }
 
-    static std::array<T, nq> coordinates(const T* V, const T* W) {
-        std::array<T, nq> q;
-        for (int i = 0; i < nV; ++i) q[Independent::index[i]] = V[i];
-        for (int i = 0; i < nW; ++i) q[Dependent::index[i]] = W[i];
-        return q;
+    void evaluate_loops(const RackMotion<T>& rack, LinkagePosition<T>& out) const {
+        for (int e = 0; e < static_cast<int>(equations.size()); ++e) {
+            const LoopEquation<T>& eq = equations[e];
+            const Placement<T>& base = out.pose[eq.base];
+            const Vec3<T> P = out.pose[eq.part].point(eq.tip);
+            const Vec3<T> d = P - base.point(Vec3<T>(eq.foot + eq.drive * rack.displacement));
+            const Vec3<T> g = eq.plane ? base.direction(eq.axis) : Vec3<T>(T(2) * d);
+            out.Phi[e] = eq.plane ? T(g.dot(d)) : T(d.squaredNorm() - eq.length * eq.length);  // (21), (23)
+            out.arm[e] = P - anchor(), out.span[e] = d, out.gradient[e] = g;
+            out.wrench[e] = force_at<T>(out.arm[e], g);  // (26), A.3
+        }
     }
 
-    // Columns of J and x about the anchor.  // (43)
-    template <int j>
-    static auto column_of_J(const Position& at) {
-        return sum(std::get<Independent::index[j]>(at.B), combined<Dependent>(at.B, [&](int i) { return at.H(i, j); }));
-    }
-    static auto drift(const Position& at) {
-        return combined<Dependent>(at.B, [&](int i) { return at.X[i]; });
+    T solved(const LinkagePosition<T>& at, int i, const std::array<T, max_equations>& right) const {
+        T sum(0);
+        for (int e = 0; e < nW(); ++e) sum += at.Phi_w_inverse(i, e) * right[e];
+        return sum;
     }
 
-    // Phi, its gradients and the arms they act on.
-    void evaluate_cuts(const RackMotion<T>& rack, Position& out) const {
-        visit_cuts([&](const auto& cut, int row, std::size_t i) {
-            constexpr int n = std::decay_t<decltype(cut)>::equations;
-            const Vec3<T> P = out.pose.point(cut.tip);
-            out.arms[i] = P - anchor();
-            Matrix<T, 3, n> g;
-            cut.evaluate(P, rack.displacement, out.Phi.data() + row, Eigen::Ref<Matrix<T, 3, n>>(g));  // (25)
-            for (int k = 0; k < n; ++k) out.gradients.col(row + k) = g.col(k);
-        });
-    }
-
-    // The picked columns of Phi_q: g.l + (r x g).e  // (26), A.3
-    template <class Picked>
-    Matrix<T, nW, Picked::count> Phi_columns(const Position& at) const {
-        Matrix<T, nW, Picked::count> out;
-        visit_cuts([&](const auto& cut, int row, std::size_t i) {
-            for (int k = row; k < row + std::decay_t<decltype(cut)>::equations; ++k) {
-                const Vec3<T> g = at.gradients.col(k), moment = at.arms[i].cross(g);
-                [&]<std::size_t... j>(std::index_sequence<j...>) {
-                    ((out(k, j) = add(dot(g, std::get<Picked::index[j]>(at.B).linear),
-                                      dot(moment, std::get<Picked::index[j]>(at.B).angular))),
-                     ...);
-                }
-                (std::make_index_sequence<Picked::count>());
+    // Small ones by cofactors, which no order of pivots can fail.
+    void invert_dependent(LinkagePosition<T>& out) const {
+        const auto invert = [&](auto size) {
+            constexpr int n = size;
+            Matrix<T, n, n> Phi_w;
+            for (int r = 0; r < n; ++r) {
+                for (int c = 0; c < n; ++c) Phi_w(r, c) = entry(out, r, dependent[c]);
             }
-        });
-        return out;
-    }
-
-    void eliminate(const RackMotion<T>& rack, const T& alpha, Position& out) const {
-        const auto inverted = inverse<T>(Phi_columns<Dependent>(out));
-        out.Phi_w_inverse = inverted.matrix;
-        out.determinant = inverted.determinant;
-        out.H = -(out.Phi_w_inverse * Phi_columns<Independent>(out));               // (39)
-        out.X = -(out.Phi_w_inverse * (driven_rate(out, rack) + alpha * out.Phi));  // (27), (39)
-        out.closing = -(out.Phi_w_inverse * out.Phi);
-    }
-
-    // Phi_t = -g.u rack'; the paper prints the opposite sign.
-    Vector<T, nW> driven_rate(const Position& at, const RackMotion<T>& rack) const {
-        Vector<T, nW> Phi_t = Vector<T, nW>::Zero();
-        visit_cuts([&](const auto& cut, int row, int) {
-            if constexpr (std::decay_t<decltype(cut)>::driven)
-                Phi_t[row] = -Vec3<T>(at.gradients.col(row)).dot(cut.drive_axis) * rack.rate;  // (28)
-        });
-        return Phi_t;
-    }
-
-    // g'.P_J + g.(omega_J x P' + P_Y) of all equations, for a motion J whose columns alone change at the rate Y.
-    template <class J, class Y>
-    Vector<T, nW> bend(const Position& at, const Rates& rates, const J& motion, const Y& rate,
-                       const RackMotion<T>& rack) const {
-        Vector<T, nW> out;
-        visit_cuts([&](const auto& cut, int row, std::size_t i) {
-            const Vec3<T>&r = at.arms[i], &P_rate = rates.tips[i];
-            const auto P_J = velocity_of(motion, r);
-            const auto bent = add(cross(motion.angular, P_rate), velocity_of(rate, r));
-            const auto g_rates = cut.gradient_rates(P_rate, rack.rate);
-            [&]<std::size_t... k>(std::index_sequence<k...>) {
-                ((out[row + static_cast<int>(k)] = add(dot(Vec3<T>(at.gradients.col(row + static_cast<int>(k))), bent),
-                                                       dot(std::get<k>(g_rates), P_J))),
-                 ...);
+            const auto [matrix, determinant] = inverse<T>(Phi_w);
+            out.Phi_w_inverse.template topLeftCorner<n, n>() = matrix;
+            out.determinant = determinant;
+        };
+        if (nW() == 1) return invert(std::integral_constant<int, 1>());
+        if (nW() == 3) return invert(std::integral_constant<int, 3>());
+        Matrix<T, max_equations, max_equations> ordered;
+        for (int r = 0; r < nW(); ++r) {
+            for (int c = 0; c < nW(); ++c) {
+                ordered(r, c) = entry(out, pivot_equation[r], dependent[pivot_dependent[c]]);
             }
-            (std::make_index_sequence<std::decay_t<decltype(cut)>::equations>());
-        });
-        return out;
+        }
+        out.determinant = invert_in_place<T, max_equations>(ordered, nW());
+        for (int r = 0; r < nW(); ++r) {
+            for (int c = 0; c < nW(); ++c) {
+                out.Phi_w_inverse(pivot_dependent[c], pivot_equation[r]) = ordered(c, r);
+            }
+        }
+    }
+
+    void eliminate(const RackMotion<T>& rack, const T& alpha, LinkagePosition<T>& out) const {
+        invert_dependent(out);
+        for (int j = 0; j < nV(); ++j) {
+            std::array<T, max_equations> Phi_v;
+            for (int e = 0; e < nW(); ++e) Phi_v[e] = entry(out, e, independent[j]);
+            for (int k = 0; k < nV(); ++k) out.follow[independent[k]][j] = T(k == j ? 1 : 0);
+            for (int i = 0; i < nW(); ++i) out.follow[dependent[i]][j] = -solved(out, i, Phi_v);  // (39)
+        }
+        std::array<T, max_equations> driven;  // (27), (28)
+        for (int e = 0; e < nW(); ++e) {
+            const LoopEquation<T>& eq = equations[e];
+            driven[e] = alpha * out.Phi[e] - out.gradient[e].dot(out.pose[eq.base].direction(eq.drive)) * rack.rate;
+        }
+        for (int k = 0; k < nV(); ++k) out.creep[independent[k]] = T(0);
+        for (int i = 0; i < nW(); ++i) {
+            out.creep[dependent[i]] = -solved(out, i, driven);
+            out.closing[i] = -solved(out, i, out.Phi);
+        }
+    }
+
+    // From the anchor to the hub's origin.
+    Spatial<T> referred(const Spatial<T>& motion) const {
+        return spatial<T>(linear(motion) - angular(motion).cross(anchor()), angular(motion));
+    }
+    void refer(const FrameMotions<T>& from, FrameMotions<T>& to) const {
+        to.J[0].setZero(), to.x[0].setZero();
+        for (int frame = 1; frame <= nq(); ++frame) {
+            for (int j = 0; j < nV(); ++j) to.J[frame].col(j) = referred(from.J[frame].col(j));
+            to.x[frame] = referred(from.x[frame]);
+        }
+    }
+
+    // sum of the motions times what the coordinates do, outward.
+    void collect(const std::array<Spatial<T>, max_coordinates>& B,
+                 const std::array<std::array<T, max_freedoms>, max_coordinates>& follow,
+                 const std::array<T, max_coordinates>& creep, FrameMotions<T>& out) const {
+        out.J[0].setZero();
+        out.x[0].setZero();
+        for (int k = 0; k < nq(); ++k) {
+            const int parent = freedoms[k].parent;
+            for (int j = 0; j < nV(); ++j) out.J[k + 1].col(j) = out.J[parent].col(j) + B[k] * follow[k][j];
+            out.x[k + 1] = out.x[parent] + B[k] * creep[k];
+        }
+    }
+
+    Spatial<T> wrench_rate(const LinkagePosition<T>& at, const LinkageRates<T>& rates, int e,
+                           const RackMotion<T>& rack) const {
+        const LoopEquation<T>& eq = equations[e];
+        const Spatial<T>&v = rates.v[eq.part], &v_base = rates.v[eq.base];
+        const Vec3<T> P = at.arm[e], P_rate = velocity_at<T>(v, P);
+        Vec3<T> g_rate;
+        if (eq.plane) {
+            g_rate = angular(v_base).cross(at.gradient[e]);
+        } else {
+            const Vec3<T> foot = P - at.span[e];
+            g_rate = T(2) * (P_rate - velocity_at<T>(v_base, foot) - at.pose[eq.base].direction(eq.drive) * rack.rate);
+        }
+        return spatial<T>(g_rate, P.cross(g_rate) + P_rate.cross(at.gradient[e]));
     }
 };
 

@@ -33,13 +33,10 @@ ScenarioDescription for_a_person(ScenarioDescription scenario, double friction, 
 Felt feel(const VehicleDescription& vehicle, const Sample& sample) {
     double sum = 0, weight = 0;
     const auto add = [&](double spin, double share) { sum += share * spin, weight += share; };
-    for (std::size_t i = 0; i < vehicle.corners.size(); ++i) {
-        add(sample.momenta.spokes[i].forces.spin, vehicle.corners[i].drive_share);
-    }
-    for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
-        const auto& wheels = vehicle.composed[s].wheels;
+    for (std::size_t s = 0; s < vehicle.suspensions.size(); ++s) {
+        const auto& wheels = vehicle.suspensions[s].wheels;
         for (std::size_t w = 0; w < wheels.size(); ++w) {
-            add(sample.momenta.composed.spokes[s].wheels[w].spin, wheels[w].drive_share);
+            add(sample.momenta.suspensions[s].wheels[w].spin, wheels[w].drive_share);
         }
     }
     return {.speed = sample.velocity.hub[0], .spin = weight > 0 ? sum / weight : 0};

@@ -16,11 +16,8 @@ namespace {
 double rotor_per_speed(const VehicleDescription& vehicle) {
     const Vehicle<double> car(vehicle);
     std::vector<double> radii;
-    for (const Spoke<double>& spoke : car.spokes) {
-        radii.push_back(std::visit([](const auto& tire) { return tire.rolling_radius; }, spoke.tire));
-    }
-    for (const ComposedSpoke<double>& spoke : car.composed) {
-        for (const auto& wheel : spoke.wheels) {
+    for (const Suspension<double>& suspension : car.suspensions) {
+        for (const auto& wheel : suspension.wheels) {
             radii.push_back(std::visit([](const auto& tire) { return tire.rolling_radius; }, wheel.tire));
         }
     }
@@ -95,7 +92,7 @@ Footprint footprint(const VehicleDescription& vehicle) {
     for (const Point& point : vehicle.hull.points) add(point[0], point[1], 0, 0);
     for_each_wheel(vehicle, [&](const auto& wheel, std::size_t unit) {
         const Point& at = wheel.wheel.center;
-        if (unit == 0) add(at[0], at[1], half + 0.5 * dual_spacing(wheel), at[2]);
+        if (unit == 0) add(at[0], at[1], half + 0.5 * wheel.dual_spacing, at[2]);
     });
     return box;
 }

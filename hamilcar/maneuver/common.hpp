@@ -29,14 +29,6 @@ std::string needs_power_units(const VehicleDescription& vehicle);
 // Half the width of the vehicle's widest tire, of which files say nothing: 0.27 of the radius, as of truck tires, at least
 // 0.1 as of a car's [m].
 double half_tire(const VehicleDescription& vehicle);
-// Between the middles of two tires abreast; none for one alone [m].
-inline double dual_spacing(const CornerDescription&) {
-    return 0;
-}
-inline double dual_spacing(const ComposedWheelDescription& wheel) {
-    return wheel.dual_spacing;
-}
-
 // The box around the motor vehicle on the ground, from its hull and its tires; x and y from its center of mass [m].
 struct Footprint {
     double front, rear, left, right;

@@ -155,7 +155,7 @@ std::vector<Follower> followers_of(const VehicleDescription& vehicle) {
     std::vector<Follower> out;
     std::size_t number = 0;
     for_each_wheel(vehicle, [&](const auto& wheel, std::size_t unit) {
-        const double inner = half + dual_spacing(wheel);
+        const double inner = half + wheel.dual_spacing;
         const bool is_right = wheel.wheel.center[1] < 0;
         if (unit != 0) out.push_back({number, is_right ? inner : half, is_right ? half : inner});
         ++number;

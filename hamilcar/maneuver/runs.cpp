@@ -12,9 +12,8 @@ namespace {
 template <class F>
 void for_each_body(const VehicleDescription& vehicle, F&& f) {
     f(vehicle.chassis);
-    for (const CornerDescription& corner : vehicle.corners) f(corner.carrier);
-    for (const ComposedSpokeDescription& spoke : vehicle.composed) {
-        for (const ComposedBodyDescription& body : spoke.bodies) f(body.body);
+    for (const SuspensionDescription& suspension : vehicle.suspensions) {
+        for (const SuspensionBodyDescription& body : suspension.bodies) f(body.body);
     }
     for (const TrailerDescription& trailer : vehicle.trailers) f(trailer.chassis);
 }

@@ -84,10 +84,9 @@ std::array<double, 2> center_from_chassis(const VehicleDescription& vehicle) {
         ahead += body.mass * (body.center_of_mass[0] - chassis[0]);
         above += body.mass * (body.center_of_mass[2] - chassis[2]);
     };
-    for (const CornerDescription& corner : vehicle.corners) add(corner.carrier);
-    for (const ComposedSpokeDescription& spoke : vehicle.composed) {
-        if (spoke.unit != 0) continue;
-        for (const ComposedBodyDescription& body : spoke.bodies) add(body.body);
+    for (const SuspensionDescription& suspension : vehicle.suspensions) {
+        if (suspension.unit != 0) continue;
+        for (const SuspensionBodyDescription& body : suspension.bodies) add(body.body);
     }
     return {ahead / mass, above / mass};
 }

@@ -10,9 +10,8 @@ namespace hamilcar::straight {
 
 double total_mass(const VehicleDescription& vehicle) {
     double mass = vehicle.chassis.mass;
-    for (const CornerDescription& corner : vehicle.corners) mass += corner.carrier.mass;
-    for (const ComposedSpokeDescription& spoke : vehicle.composed) {
-        for (const ComposedBodyDescription& body : spoke.bodies) mass += body.body.mass;
+    for (const SuspensionDescription& suspension : vehicle.suspensions) {
+        for (const SuspensionBodyDescription& body : suspension.bodies) mass += body.body.mass;
     }
     for (const TrailerDescription& trailer : vehicle.trailers) mass += trailer.chassis.mass;
     return mass;

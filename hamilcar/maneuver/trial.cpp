@@ -45,16 +45,13 @@ struct SeenWheel {
 // Of motor vehicle and trailers, in the order of for_each_wheel.
 std::vector<SeenWheel> seen_wheels(const Sample& s) {
     std::vector<SeenWheel> out;
-    for (int i = 0; i < s.model.vehicle.spoke_count(); ++i) {
-        const WheelForces<double>& forces = s.momenta.spokes[static_cast<std::size_t>(i)].forces;
-        out.push_back({&forces, {static_cast<const TireForces<double>*>(&forces), 1}, 0, false});
-    }
-    for (std::size_t i = 0; i < s.model.vehicle.composed.size(); ++i) {
-        const ComposedSpoke<double>& spoke = s.model.vehicle.composed[i];
-        for (std::size_t w = 0; w < spoke.wheels.size(); ++w) {
-            const ComposedWheelForces<double>& forces = s.momenta.composed.spokes[i].wheels[w];
-            const std::span tires(forces.tires.data(), static_cast<std::size_t>(spoke.wheels[w].tires));
-            out.push_back({&forces, tires, static_cast<std::size_t>(spoke.unit), spoke.wheels[w].wheel.center[1] < 0});
+    for (std::size_t i = 0; i < s.model.vehicle.suspensions.size(); ++i) {
+        const Suspension<double>& suspension = s.model.vehicle.suspensions[i];
+        for (std::size_t w = 0; w < suspension.wheels.size(); ++w) {
+            const WheelForces<double>& forces = s.momenta.suspensions[i].wheels[w];
+            const std::span tires(forces.tires.data(), static_cast<std::size_t>(suspension.wheels[w].tires));
+            out.push_back(
+                {&forces, tires, static_cast<std::size_t>(suspension.unit), suspension.wheels[w].wheel.center[1] < 0});
         }
     }
     return out;
@@ -66,13 +63,10 @@ Vec3<double> motor_vehicle_center(const Sample& s) {
     Vec3<double> moment = vehicle.chassis_inertia.moment;
     double mass = vehicle.chassis_inertia.mass;
     const auto add = [&](const SpatialInertia<double>& inertia) { moment += inertia.moment, mass += inertia.mass; };
-    for (int i = 0; i < vehicle.spoke_count(); ++i) {
-        visit_spoke(vehicle, s.velocity, i, [&](const auto&, const auto&, const auto& at) { add(at.inertia); });
-    }
-    for (std::size_t i = 0; i < vehicle.composed.size(); ++i) {
-        if (vehicle.composed[i].unit != 0) continue;
-        const auto& inertia = s.velocity.composed.spokes[i].inertia;
-        for (std::size_t b = 0; b < vehicle.composed[i].bodies.size(); ++b) add(inertia[b]);
+    for (std::size_t i = 0; i < vehicle.suspensions.size(); ++i) {
+        if (vehicle.suspensions[i].unit != 0) continue;
+        const auto& inertia = s.velocity.suspensions[i].inertia;
+        for (std::size_t b = 0; b < vehicle.suspensions[i].bodies.size(); ++b) add(inertia[b]);
     }
     return moment / mass;
 }

@@ -47,6 +47,12 @@ Vec3<T> velocity_at(const Spatial<T>& v, const Vec3<T>& p) {
     return linear(v) + angular(v).cross(p);
 }
 
+// v x m: rate of a motion m carried along by v.
+template <class T>
+Spatial<T> cross_motion(const Spatial<T>& v, const Spatial<T>& m) {
+    return spatial<T>(angular(v).cross(linear(m)) + linear(v).cross(angular(m)), angular(v).cross(angular(m)));
+}
+
 // v x* f: rate of a force f carried along by v; its transpose relation is f.(v x m) = -(v x* f).m.
 template <class T>
 Spatial<T> cross_force(const Spatial<T>& v, const Spatial<T>& f) {

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "hamilcar/description/crg.hpp"
@@ -35,6 +36,8 @@ struct CrgRoad {
         const Place<N> place = uv_of(x, y);
         return height_uv(place.u, place.v);
     }
+    // Slope, bank and what lies beside the rows have no bound [m].
+    static double highest() { return std::numeric_limits<double>::infinity(); }
 
     // Whether the height there comes from the grid alone, neither from a border nor in place of a missing one.
     bool covers(double x, double y) const;

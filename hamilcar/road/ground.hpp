@@ -43,6 +43,10 @@ struct Patch {
     static constexpr double half_length = 1.0 / 3, half_width = 0.25;
     static constexpr std::array<double, 5> stations{-1, -0.5, 0, 0.5, 1};
     static constexpr std::array<double, 5> weights{1.0 / 12, 3.0 / 12, 4.0 / 12, 3.0 / 12, 1.0 / 12};
+    static constexpr std::size_t points = 2 * stations.size();  // first the right line, then the left one
+    static constexpr double station(std::size_t point) { return stations[point % stations.size()]; }
+    static constexpr double side(std::size_t point) { return point < stations.size() ? -1 : 1; }
+    static constexpr double weight(std::size_t point) { return 0.5 * weights[point % stations.size()]; }
     static constexpr double second_moment = 2.0 / 12 * 1 + 6.0 / 12 * 0.25;  // sum of w a^2
 };
 
@@ -64,19 +68,21 @@ FittedPlane<E> fit_plane(const Surface& surface, const Vec3<E>& base, const E& b
     const D scale = D(1) / sqrt(max(axis[0] * axis[0] + axis[1] * axis[1], D(1e-6)));
     const D ahead_x = axis[1] * scale, ahead_y = -axis[0] * scale;  // heading; to the left of it (-ahead_y, ahead_x)
     const E a = wheel.radius * E(Patch::half_length), b = wheel.radius * E(Patch::half_width);
+    std::array<D, Patch::points> x, y;
+    for (std::size_t p = 0; p < Patch::points; ++p) {
+        const E along = a * E(Patch::station(p)), beside = b * E(Patch::side(p));
+        x[p] = foot[0] + scaled(ahead_x, along) - scaled(ahead_y, beside);
+        y[p] = foot[1] + scaled(ahead_y, along) + scaled(ahead_x, beside);
+    }
+    const std::array<D, Patch::points> height = surface.heights(x, y);
     D mean(0), ahead(0), aside(0);  // ahead and aside over a and b
     E friction(surface.has_patches() ? 0 : 1);
-    for (const double side : {-1.0, 1.0}) {
-        const D left_x = foot[0] - scaled(ahead_y, b * E(side)), left_y = foot[1] + scaled(ahead_x, b * E(side));
-        for (std::size_t i = 0; i < Patch::stations.size(); ++i) {
-            const double station = Patch::stations[i], weight = 0.5 * Patch::weights[i];
-            const D x = left_x + scaled(ahead_x, a * E(station)), y = left_y + scaled(ahead_y, a * E(station));
-            const D height = surface.height(x, y);
-            mean += scaled(height, E(weight));
-            ahead += scaled(height, E(weight * station));
-            aside += scaled(height, E(weight * side));
-            if (surface.has_patches()) friction += E(weight) * E(surface.friction(value_of(x), value_of(y)));
-        }
+    for (std::size_t p = 0; p < Patch::points; ++p) {
+        const double weight = Patch::weight(p);
+        mean += scaled(height[p], E(weight));
+        ahead += scaled(height[p], E(weight * Patch::station(p)));
+        aside += scaled(height[p], E(weight * Patch::side(p)));
+        if (surface.has_patches()) friction += E(weight) * E(surface.friction(value_of(x[p]), value_of(y[p])));
     }
     const SignalValue<double> post = surface.post(wheel.number, time);
     mean += foot[2] + moving(E(post.value), E(post.rate));
@@ -122,11 +128,14 @@ struct WheelRoad {
     T rise;  // of the plane, along its normal, under the wheel's lowest point [m/s]
 };
 
-// The plane that fits the surface best under a wheel; chassis axes. `number`: the wheel's.
+// The plane that fits the surface best under a wheel; chassis axes. `numbers`: the wheel's. What is higher above the plane
+// road than the surface ever gets, `clearance` [m], keeps the plane that `road` is.
 template <class T>
 void fit_ground(const UnevenGround<RoadNumber<T>>& uneven, const Vec3<T>& center, const Vec3<T>& axis,
-                const Spatial<T>& motion, const T& radius, const std::array<int, 2>& numbers, WheelRoad<T>& road) {
+                const Spatial<T>& motion, const T& radius, const T& clearance, const std::array<int, 2>& numbers,
+                WheelRoad<T>& road) {
     using E = RoadNumber<T>;
+    if (value_of(clearance) > uneven.surface->highest()) return;
     const Vec3<T> velocity = velocity_at<T>(motion, center), axis_rate = angular(motion).cross(axis);
     const auto ground = [&](const Vec3<T>& v) -> Vec3<E> {
         return uneven.R * Vec3<E>(static_cast<E>(v[0]), static_cast<E>(v[1]), static_cast<E>(v[2]));
@@ -148,13 +157,13 @@ struct GroundBelow {
     RoadPlane<T> plane;
     const UnevenGround<RoadNumber<T>>* uneven;  // null where the road is a plane
 
-    // Under a wheel with tire radius `radius`, its carrier moving with `motion`; chassis axes. `numbers`: of the wheels that
-    // stand abreast in T, the first alone where they do not.
+    // Under a wheel with tire radius `radius`, its carrier moving with `motion`; chassis axes. `clearance`: at least so far
+    // above the plane is all that asks [m]. `numbers`: of the wheels side by side in T, the first alone where there is one.
     WheelRoad<T> under(const Vec3<T>& center, const Vec3<T>& axis, const Spatial<T>& motion, const T& radius,
-                       const std::array<int, 2>& numbers) const {
+                       const T& clearance, const std::array<int, 2>& numbers) const {
         WheelRoad<T> road{plane, T(0)};
         if (uneven) [[unlikely]]
-            fit_ground(*uneven, center, axis, motion, radius, numbers, road);
+            fit_ground(*uneven, center, axis, motion, radius, clearance, numbers, road);
         return road;
     }
 };

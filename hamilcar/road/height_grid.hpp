@@ -3,7 +3,9 @@
 // on level.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "hamilcar/description/road.hpp"
@@ -40,6 +42,12 @@ struct HeightGrid {
             sum += across.weight[i] * in_row;
         }
         return sum;
+    }
+    // No height is above it [m]: between nodes a cubic overshoots by no more than a quarter along x, and again along y.
+    double highest() const {
+        double most = 0;
+        for (const double node : heights) most = std::max(most, std::abs(node));
+        return 1.25 * 1.25 * most;
     }
 
 private:

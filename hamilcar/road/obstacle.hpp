@@ -71,6 +71,7 @@ struct Obstacle {
         if (value_of(weight) == 0) return N(0);
         return weight * across.weight(y) * N(rise);
     }
+    double highest() const { return std::max(rise, 0.0); }  // [m]
 };
 
 }  // namespace hamilcar

@@ -30,6 +30,9 @@ Surface::Surface(const RoadDescription& d) {
     if (d.crg) elements_.emplace_back(shared<CrgRoad>(d.crg));
     for (const FrictionPatchDescription& patch : d.patches) patches_.emplace_back(patch);
     for (const SignalDescription& post : d.posts.height) posts_.emplace_back(post);
+    for (const SurfaceElement& element : elements_) {
+        highest_ += std::visit([](const auto& one) { return one.highest(); }, element);
+    }
 }
 
 std::shared_ptr<const Surface> make_surface(const RoadDescription& description) {

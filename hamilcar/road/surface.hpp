@@ -29,6 +29,7 @@ struct Shared {
     N height(const N& x, const N& y) const {
         return road->height(x, y);
     }
+    double highest() const { return road->highest(); }
 };
 
 using SurfaceElement = std::variant<Obstacle, Wave, RandomRoad, Shared<HeightGrid, HeightGridDescription>,
@@ -39,15 +40,24 @@ public:
     Surface() = default;
     explicit Surface(const RoadDescription& description);
 
-    // Above the plane, upward along ground z [m].
-    template <class N>
-    N height(const N& x, const N& y) const {
-        N sum(0);
+    // Above the plane, upward along ground z, at several points [m].
+    template <class N, std::size_t count>
+    std::array<N, count> heights(const std::array<N, count>& x, const std::array<N, count>& y) const {
+        std::array<N, count> sum;
+        sum.fill(N(0));
         for (const SurfaceElement& element : elements_) {
-            sum += dispatch(element, [&](const auto& one) { return one.height(x, y); });
+            dispatch(element, [&](const auto& one) {
+                for (std::size_t i = 0; i < count; ++i) sum[i] += one.height(x[i], y[i]);
+            });
         }
         return sum;
     }
+    template <class N>
+    N height(const N& x, const N& y) const {
+        return heights<N, 1>({x}, {y})[0];
+    }
+    // No height is above it; of measured roads nobody knows [m].
+    double highest() const { return highest_; }
     bool has_patches() const { return !patches_.empty(); }
     // Factor on the tire's friction, without the plane's own [1].
     double friction(double x, double y) const {
@@ -65,6 +75,7 @@ private:
     std::vector<SurfaceElement> elements_;
     std::vector<FrictionPatch> patches_;
     std::vector<Signal> posts_;
+    double highest_ = 0;
 };
 
 // Null for a road that is nothing but a plane.

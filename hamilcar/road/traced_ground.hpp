@@ -17,21 +17,21 @@ template <class T>
 struct GroundQuestion {
     Vec3<T> center, axis;
     Spatial<T> motion;
-    T radius;
+    T radius, clearance;
     Vec3<T> position;
     Mat3<T> R;
     Vec3<T> base;
     T friction;
     WheelRoad<T> plane;  // the answer where the lane has no surface
 
-    static constexpr int count = 3 + 3 + 6 + 1 + 3 + 9 + 3 + 1 + 6;
+    static constexpr int count = 3 + 3 + 6 + 2 + 3 + 9 + 3 + 1 + 6;
     // Calls f with each number; of the same question always in one order.
     template <class Self, class F>
     static void for_each(Self& self, F&& f) {
         const auto all = [&](auto& numbers) {
             for (int i = 0; i < static_cast<int>(numbers.size()); ++i) f(numbers.data()[i]);
         };
-        all(self.center), all(self.axis), all(self.motion), f(self.radius);
+        all(self.center), all(self.axis), all(self.motion), f(self.radius), f(self.clearance);
         all(self.position), all(self.R), all(self.base), f(self.friction);
         for_each_answer(self.plane, f);
     }
@@ -56,25 +56,26 @@ void answer_ground_question(const void* context, int wheel, int lanes, const voi
             const UnevenGround<double> uneven(below.surfaces[lane], q.base.template cast<double>(), q.friction,
                                               q.position.template cast<double>(), q.R.template cast<double>(),
                                               below.time);
-            fit_ground<E>(uneven, q.center, q.axis, q.motion, q.radius, {wheel, wheel}, q.plane);
+            fit_ground<E>(uneven, q.center, q.axis, q.motion, q.radius, q.clearance, {wheel, wheel}, q.plane);
         }
         E* result = static_cast<E*>(results) + lane;
         GroundQuestion<E>::for_each_answer(q.plane, [&](const E& number) { *result = number, result += lanes; });
     }
 }
 
-// A call for each of the wheels abreast.
+// A call for each of the wheels side by side.
 template <class E, int width>
 void fit_ground(const UnevenGround<Traced<E>>& uneven, const Vec3<Traced<E, width>>& center,
                 const Vec3<Traced<E, width>>& axis, const Spatial<Traced<E, width>>& motion,
-                const Traced<E, width>& radius, const std::array<int, 2>& numbers, WheelRoad<Traced<E, width>>& road) {
+                const Traced<E, width>& radius, const Traced<E, width>& clearance, const std::array<int, 2>& numbers,
+                WheelRoad<Traced<E, width>>& road) {
     using T = Traced<E, width>;
     using Question = GroundQuestion<Traced<E>>;
     WheelRoad<T> answer = road;
     for (int l = 0; l < width; ++l) {
-        const auto part = [l](const auto& numbers_abreast) {
-            Vector<Traced<E>, std::decay_t<decltype(numbers_abreast)>::SizeAtCompileTime> out;
-            for (int i = 0; i < out.size(); ++i) out[i] = lane(numbers_abreast[i], l);
+        const auto part = [l](const auto& both) {
+            Vector<Traced<E>, std::decay_t<decltype(both)>::SizeAtCompileTime> out;
+            for (int i = 0; i < out.size(); ++i) out[i] = lane(both[i], l);
             return out;
         };
         const Question q{
@@ -82,6 +83,7 @@ void fit_ground(const UnevenGround<Traced<E>>& uneven, const Vec3<Traced<E, widt
             part(axis),
             part(motion),
             lane(radius, l),
+            lane(clearance, l),
             uneven.position,
             uneven.R,
             uneven.base,

@@ -34,6 +34,7 @@ struct Wave {
         if (length - value_of(s) < last) fade *= smooth_step(N((N(length) - s) * N(1 / last)));
         return N(amplitude) * fade * sincos(phase).sine;
     }
+    double highest() const { return std::abs(amplitude); }  // [m]
 };
 
 }  // namespace hamilcar

@@ -20,7 +20,7 @@ struct Channel {
         false;  // what a picture of the vehicle is drawn from; netCDF results have them beside the chosen ones
 };
 
-// Every channel of a vehicle: the car's own, then each corner's with the corner's name in front.
+// Every channel of a vehicle: the car's own, then each wheel's and each suspension's with its name in front.
 std::vector<Channel> all_channels(const VehicleDescription& vehicle);
 
 // The channels whose names match (a trailing '*' stands for anything); the default set for an empty list. Throws

@@ -24,7 +24,7 @@ namespace hamilcar {
 
 namespace {
 
-constexpr std::string_view heading = "hamilcar state 3";  // the number: of this layout
+constexpr std::string_view heading = "hamilcar state 4";  // the number: of this layout
 constexpr std::string_view kind = heading.substr(0, heading.size() - 1);
 
 using Word = std::array<char, 24>;

@@ -45,16 +45,14 @@ SteeredWheels steered_wheels(const VehicleDescription& vehicle, const Model<doub
 double driven_radius(const Vehicle<double>& vehicle) {
     Mean radius;
     std::vector<double> radii;
-    for (const Spoke<double>& spoke : vehicle.spokes) radii.push_back(rolling_radius(spoke.tire));
-    for (const ComposedSpoke<double>& spoke : vehicle.composed) {
-        for (const auto& wheel : spoke.wheels) radii.push_back(rolling_radius(wheel.tire));
+    for (const Suspension<double>& suspension : vehicle.suspensions) {
+        for (const auto& wheel : suspension.wheels) radii.push_back(rolling_radius(wheel.tire));
     }
     for (const int wheel : vehicle.powertrain.wheels) radius.add(radii[static_cast<std::size_t>(wheel)]);
     if (radius.weight > 0) return radius.value(0);
     std::size_t i = 0;
-    for (const Spoke<double>& spoke : vehicle.spokes) radius.add(radii[i++], spoke.drive_share);
-    for (const ComposedSpoke<double>& spoke : vehicle.composed) {
-        for (const auto& wheel : spoke.wheels) radius.add(radii[i++], wheel.drive_share);
+    for (const Suspension<double>& suspension : vehicle.suspensions) {
+        for (const auto& wheel : suspension.wheels) radius.add(radii[i++], wheel.drive_share);
     }
     return radius.value(0);
 }
@@ -63,9 +61,8 @@ double driven_radius(const Vehicle<double>& vehicle) {
 double full_brake_force(const Vehicle<double>& vehicle) {
     double sum = 0;
     const auto add = [&](const auto& wheel) { sum += wheel.brake.max_torque / rolling_radius(wheel.tire); };
-    for (const Spoke<double>& spoke : vehicle.spokes) add(spoke);
-    for (const ComposedSpoke<double>& spoke : vehicle.composed) {
-        for (const auto& wheel : spoke.wheels) add(wheel);
+    for (const Suspension<double>& suspension : vehicle.suspensions) {
+        for (const auto& wheel : suspension.wheels) add(wheel);
     }
     return sum;
 }

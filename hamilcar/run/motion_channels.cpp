@@ -63,25 +63,20 @@ void add_motion_channels(const VehicleDescription& vehicle, std::vector<Channel>
     for (std::size_t i = 0; i < scene.frames.size(); ++i) {
         add_pose(scene.frames[i], i <= vehicle.trailers.size(), list);
     }
-    for (std::size_t i = 0; i < vehicle.corners.size(); ++i) {
-        add_tire(
-            vehicle.corners[i].name + ".tire", 0,
-            [i](const Sample& s) -> const TireForces<double>& { return s.momenta.spokes[i].forces; }, list);
-    }
-    for (std::size_t i = 0; i < vehicle.composed.size(); ++i) {
-        const ComposedSpokeDescription& spoke = vehicle.composed[i];
-        for (std::size_t w = 0; w < spoke.wheels.size(); ++w) {
+    for (std::size_t i = 0; i < vehicle.suspensions.size(); ++i) {
+        const SuspensionDescription& suspension = vehicle.suspensions[i];
+        for (std::size_t w = 0; w < suspension.wheels.size(); ++w) {
             const auto tire = [i, w](std::size_t k) {
                 return [i, w, k](const Sample& s) -> const TireForces<double>& {
-                    return s.momenta.composed.spokes[i].wheels[w].tires[k];
+                    return s.momenta.suspensions[i].wheels[w].tires[k];
                 };
             };
-            const std::string& name = spoke.wheels[w].name;
-            if (spoke.wheels[w].dual_spacing > 0) {
-                add_tire(name + ".left_tire", spoke.unit, tire(0), list);
-                add_tire(name + ".right_tire", spoke.unit, tire(1), list);
+            const std::string& name = suspension.wheels[w].name;
+            if (suspension.wheels[w].dual_spacing > 0) {
+                add_tire(name + ".left_tire", suspension.unit, tire(0), list);
+                add_tire(name + ".right_tire", suspension.unit, tire(1), list);
             } else {
-                add_tire(name + ".tire", spoke.unit, tire(0), list);
+                add_tire(name + ".tire", suspension.unit, tire(0), list);
             }
         }
     }

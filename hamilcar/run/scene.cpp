@@ -4,41 +4,21 @@
 #include <cmath>
 
 #include "hamilcar/math/convert.hpp"
-#include "hamilcar/run/scene_spoke.hpp"
+#include "hamilcar/run/scene_suspension.hpp"
 #include "hamilcar/run/unit_place.hpp"
-#include "hamilcar/suspension/compose_corner.hpp"
 
 namespace hamilcar {
 
 namespace {
 
-constexpr std::size_t strut_part = 1;  // of a MacPherson strut's composition: turns in the top mount and does not slide
-
-Pose<double> chassis() {
-    return {Mat3<double>::Identity(), Vec3<double>::Zero()};
-}
-
-// A corner's own program knows the carrier alone; the strut has its direction.
-PartPose pose_of_corner(const CornerDescription& corner, std::size_t i) {
-    const auto* strut = std::get_if<MacPhersonDescription>(&corner.suspension);
-    return [i, top = strut ? vec3(strut->strut_top) : Vec3<double>::Zero(), has_strut = strut != nullptr](
-               const Sample& s, std::size_t part) -> Pose<double> {
-        if (part == 0) return chassis();
-        const Pose<double> carrier =
-            visit_spoke(s.model.vehicle, s.velocity, static_cast<int>(i),
-                        [](const auto&, const auto&, const auto& at) -> Pose<double> { return at.position.pose; });
-        if (!has_strut || part != strut_part) return carrier;
-        return {carrier.R, top - carrier.R * top};
-    };
-}
-
-PartPose pose_of_composed(const ComposedSpokeDescription& spoke, std::size_t i) {
+PartPose pose_of_part(const SuspensionDescription& suspension, std::size_t i) {
     std::vector<std::size_t> frames;
-    for (std::size_t part = 0; part <= spoke.linkage.joints.size(); ++part) {
-        frames.push_back(static_cast<std::size_t>(frame_of_part(spoke.linkage, part)));
+    for (std::size_t part = 0; part <= suspension.linkage.joints.size(); ++part) {
+        frames.push_back(static_cast<std::size_t>(frame_of_part(suspension.linkage, part)));
     }
-    return
-        [i, frames](const Sample& s, std::size_t part) { return s.velocity.composed.spokes[i].at.pose[frames[part]].pose(); };
+    return [i, frames](const Sample& s, std::size_t part) {
+        return s.velocity.suspensions[i].at.pose[frames[part]].pose();
+    };
 }
 
 // The uniform box that has the body's mass and inertia.
@@ -73,11 +53,8 @@ Scene make_scene(const VehicleDescription& vehicle) {
                                     return Pose<double>{place.R, place.position};
                                 }});
     }
-    for (std::size_t i = 0; i < vehicle.corners.size(); ++i) {
-        add_spoke(compose_corner(vehicle.corners[i]), pose_of_corner(vehicle.corners[i], i), scene);
-    }
-    for (std::size_t i = 0; i < vehicle.composed.size(); ++i) {
-        add_spoke(vehicle.composed[i], pose_of_composed(vehicle.composed[i], i), scene);
+    for (std::size_t i = 0; i < vehicle.suspensions.size(); ++i) {
+        add_suspension(vehicle.suspensions[i], pose_of_part(vehicle.suspensions[i], i), scene);
     }
     scene.bodies.push_back(bodywork(vehicle));
     for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {

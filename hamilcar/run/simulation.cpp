@@ -169,38 +169,31 @@ std::string Simulation::inspect(const Health<double>& health) const {
     if (!locks && !health.comes_apart()) return {};
     const RackMotion<double> rack = schedule_(time()).rack;
     LoopReport worst = inspect_loops(model_, rack, state_, 0);
-    for (int i = 1; i < loop_count(model_.vehicle); ++i) {
+    for (int i = 1; i < static_cast<int>(model_.vehicle.suspensions.size()); ++i) {
         const LoopReport loop = inspect_loops(model_, rack, state_, i);
         if (locks ? loop.mobility < worst.mobility : loop.opening > worst.opening) worst = loop;
     }
     if (locks) {
         return fmt::format("the linkage of {} locks at '{}'{}: it cannot move further this way",
-                           spoke_name(vehicle_, worst.spoke), cut_name(vehicle_, model_, worst.spoke, worst.locking),
-                           travels(worst.spoke));
+                           suspension_name(vehicle_, worst.suspension),
+                           cut_name(vehicle_, model_, worst.suspension, worst.locking), travels(worst.suspension));
     }
     return fmt::format(
         "{} came apart: '{}' stands open by {:.1f} mm{}; the linkage may be past its reach, or try a smaller "
         "step",
-        spoke_name(vehicle_, worst.spoke), cut_name(vehicle_, model_, worst.spoke, worst.cut), 1e3 * worst.opening,
-        travels(worst.spoke));
+        suspension_name(vehicle_, worst.suspension), cut_name(vehicle_, model_, worst.suspension, worst.cut),
+        1e3 * worst.opening, travels(worst.suspension));
 }
 
 // ", wheel travel +85 mm (rear_left)" of the last good state, or of the wheels of both sides.
-std::string Simulation::travels(int spoke) const {
+std::string Simulation::travels(int number) const {
     const Velocity<double> velocity = velocity_block(model_, last_good_, schedule_(time()));
-    const int corners = model_.vehicle.spoke_count();
-    if (spoke < corners) {
-        const double travel =
-            visit_spoke(model_.vehicle, velocity, spoke,
-                        [](const auto& own, const auto&, const auto& at) { return wheel_travel(own, at); });
-        return fmt::format(", wheel travel {:+.0f} mm ({})", 1e3 * travel, spoke_name(vehicle_, spoke));
-    }
-    const auto i = static_cast<std::size_t>(spoke - corners);
-    const ComposedSpoke<double>& composed = model_.vehicle.composed[i];
+    const auto i = static_cast<std::size_t>(number);
+    const Suspension<double>& suspension = model_.vehicle.suspensions[i];
     std::string text;
-    for (std::size_t w = 0; w < composed.wheels.size(); ++w) {
-        const double travel = velocity.composed.spokes[i].center[w][2] - composed.wheels[w].wheel.center[2];
-        text += fmt::format(", wheel travel {:+.0f} mm ({})", 1e3 * travel, vehicle_.composed[i].wheels[w].name);
+    for (std::size_t w = 0; w < suspension.wheels.size(); ++w) {
+        const double travel = velocity.suspensions[i].center[w][2] - suspension.wheels[w].wheel.center[2];
+        text += fmt::format(", wheel travel {:+.0f} mm ({})", 1e3 * travel, vehicle_.suspensions[i].wheels[w].name);
     }
     return text;
 }
@@ -220,21 +213,14 @@ Sample Simulation::sample() const {
     s.momenta = momenta_block(model_, state_, input, s.velocity);
     s.energy = energy(model_, state_, s.velocity, s.momenta);
     if (!model_.energy_balance) s.energy.work = std::numeric_limits<double>::quiet_NaN();  // nobody kept it
-    for (int i = 0; i < loop_count(model_.vehicle); ++i) {
+    for (int i = 0; i < static_cast<int>(model_.vehicle.suspensions.size()); ++i) {
         const LoopReport loop = inspect_loops(model_, input.rack, state_, i);
         s.violation = std::max(s.violation, loop.opening);
         s.mobility = std::min(s.mobility, loop.mobility);
     }
-    for (int i = 0; i < model_.vehicle.spoke_count(); ++i) {
-        visit_spoke(model_.vehicle, s.velocity, i, [&](const auto&, const auto&, const auto& at) {
-            if constexpr (std::decay_t<decltype(at.position.Phi)>::SizeAtCompileTime > 0) {
-                s.constraint_norm += at.position.Phi.squaredNorm();
-            }
-        });
-    }
-    for (std::size_t i = 0; i < model_.vehicle.composed.size(); ++i) {
-        for (int e = 0; e < model_.vehicle.composed[i].linkage.nW(); ++e) {
-            const double Phi = s.velocity.composed.spokes[i].at.Phi[static_cast<std::size_t>(e)];
+    for (std::size_t i = 0; i < model_.vehicle.suspensions.size(); ++i) {
+        for (int e = 0; e < model_.vehicle.suspensions[i].linkage.nW(); ++e) {
+            const double Phi = s.velocity.suspensions[i].at.Phi[static_cast<std::size_t>(e)];
             s.constraint_norm += Phi * Phi;
         }
     }

@@ -29,7 +29,7 @@ struct Sample {
     Energy<double> energy;
     double violation;        // largest opening of a cut joint [m]
     double constraint_norm;  // Euclidean norm of all Phi, the paper's Fig. 9
-    double mobility;         // smallest over the spokes: 0 where a linkage locks
+    double mobility;         // smallest over the suspensions: 0 where a linkage locks
 };
 
 // Why a run ended early.
@@ -99,7 +99,7 @@ private:
     void start();
     void start_driver();
     std::string inspect(const Health<double>& health) const;
-    std::string travels(int spoke) const;
+    std::string travels(int number) const;
 
     VehicleDescription vehicle_;
     ScenarioDescription scenario_;

@@ -91,34 +91,13 @@ void add_wheel_channels(std::vector<Channel>& list, const WheelReader& wheel) {
     add_force(".brake.torque", "N m", "on the wheel", [](const F& f) { return f.brake_torque; });
 }
 
-void add_corner_channels(std::vector<Channel>& list, const CornerDescription& corner, std::size_t i) {
-    using Forces = SpokeForces<double>;
-    const auto forces = [i](const Sample& s) -> const Forces& { return s.momenta.spokes[i].forces; };
-    const auto axis = [i](const Sample& s) {
-        return visit_spoke(s.model.vehicle, s.velocity, static_cast<int>(i),
-                           [](const auto&, const auto&, const auto& at) { return at.spin_axis; });
+void add_channels_of_wheel(std::vector<Channel>& list, const SuspensionWheelDescription& wheel, std::size_t suspension,
+                           std::size_t i) {
+    using Forces = WheelForces<double>;
+    const auto forces = [suspension, i](const Sample& s) -> const Forces& {
+        return s.momenta.suspensions[suspension].wheels[i];
     };
-    add_wheel_channels(list, {corner.name, corner.wheel.center[1] >= 0, forces, axis});
-    add_tire_channels(list, corner.name + ".tire", true, forces);
-    const auto add_force = [&](const char* what, const char* unit, const char* meaning, auto read) {
-        add(list, corner.name + what, unit, meaning, [forces, read](const Sample& s) { return read(forces(s)); });
-    };
-    add_force(".spring.length", "m", "spring or strut", [](const Forces& f) { return f.spring_length; });
-    add_force(".spring.force", "N", "compression positive", [](const Forces& f) { return f.spring; });
-    add_force(".damper.force", "N", "compression positive", [](const Forces& f) { return f.damper; });
-    add_force(".damper.velocity", "m/s", "extension positive", [](const Forces& f) { return f.damper_rate; });
-    add(list, corner.name + ".independent", corner.suspension.index() == 0 ? "m" : "rad",
-        "independent coordinate of the suspension",
-        [i](const Sample& s) { return s.state.spoke(static_cast<int>(i)).independent[0]; });
-}
-
-void add_composed_wheel_channels(std::vector<Channel>& list, const ComposedWheelDescription& wheel, std::size_t spoke,
-                                 std::size_t i) {
-    using Forces = ComposedWheelForces<double>;
-    const auto forces = [spoke, i](const Sample& s) -> const Forces& {
-        return s.momenta.composed.spokes[spoke].wheels[i];
-    };
-    const auto axis = [spoke, i](const Sample& s) { return s.velocity.composed.spokes[spoke].axis[i]; };
+    const auto axis = [suspension, i](const Sample& s) { return s.velocity.suspensions[suspension].axis[i]; };
     add_wheel_channels(list, {wheel.name, wheel.wheel.center[1] >= 0, forces, axis});
     const auto tire = [forces](std::size_t k) {
         return [forces, k](const Sample& s) -> const TireForces<double>& { return forces(s).tires[k]; };
@@ -131,29 +110,34 @@ void add_composed_wheel_channels(std::vector<Channel>& list, const ComposedWheel
     }
 }
 
-void add_composed_channels(std::vector<Channel>& list, const ComposedSpokeDescription& spoke, std::size_t at) {
-    for (std::size_t i = 0; i < spoke.wheels.size(); ++i) add_composed_wheel_channels(list, spoke.wheels[i], at, i);
-    for (std::size_t i = 0; i < spoke.springs.size(); ++i) {
-        const std::string& name = spoke.springs[i].name;
-        const auto spring = [at, i](const Sample& s) { return s.momenta.composed.spokes[at].springs[i]; };
-        const bool turns = spoke.springs[i].line.coordinate.has_value();
+void add_channels_of(std::vector<Channel>& list, const SuspensionDescription& suspension, std::size_t at) {
+    for (std::size_t i = 0; i < suspension.wheels.size(); ++i) add_channels_of_wheel(list, suspension.wheels[i], at, i);
+    for (std::size_t i = 0; i < suspension.springs.size(); ++i) {
+        const std::string& name = suspension.springs[i].name;
+        const auto spring = [at, i](const Sample& s) { return s.momenta.suspensions[at].springs[i]; };
+        const std::optional<int> along = suspension.springs[i].line.coordinate;
+        const bool turns = along && suspension.linkage.turns(*along);
         add(list, name + ".spring.length", turns ? "rad" : "m", "of the spring",
             [spring](const Sample& s) { return spring(s).length; });
         add(list, name + ".spring.force", turns ? "N m" : "N", "compression positive",
             [spring](const Sample& s) { return spring(s).force; });
     }
-    for (std::size_t i = 0; i < spoke.dampers.size(); ++i) {
-        const std::string& name = spoke.dampers[i].name;
-        const auto damper = [at, i](const Sample& s) { return s.momenta.composed.spokes[at].dampers[i]; };
-        add(list, name + ".damper.force", "N", "compression positive",
+    for (std::size_t i = 0; i < suspension.dampers.size(); ++i) {
+        const std::string& name = suspension.dampers[i].name;
+        const auto damper = [at, i](const Sample& s) { return s.momenta.suspensions[at].dampers[i]; };
+        const std::optional<int> along = suspension.dampers[i].line.coordinate;
+        const bool turns = along && suspension.linkage.turns(*along);
+        add(list, name + ".damper.force", turns ? "N m" : "N", "compression positive",
             [damper](const Sample& s) { return damper(s).force; });
-        add(list, name + ".damper.velocity", "m/s", "extension positive",
+        add(list, name + ".damper.velocity", turns ? "rad/s" : "m/s", "extension positive",
             [damper](const Sample& s) { return damper(s).rate; });
     }
-    for (int j = 0; j < spoke.linkage.coordinate_count() - spoke.linkage.equation_count(); ++j) {
-        add(list, fmt::format("{}.independent.{}", spoke.name, j + 1), "1", "independent coordinate [m or rad]",
+    const std::vector<int> independent = compose(suspension.linkage).independent;
+    for (std::size_t j = 0; j < independent.size(); ++j) {
+        add(list, fmt::format("{}.independent.{}", suspension.name, j + 1),
+            suspension.linkage.turns(independent[j]) ? "rad" : "m", "independent coordinate, zero at design",
             [at, j](const Sample& s) {
-                return s.model.vehicle.composed[at].state(s.state.values.data()).independent[j];
+                return s.model.vehicle.suspensions[at].state(s.state.values.data()).independent[j];
             });
     }
 }
@@ -186,8 +170,7 @@ void add_trailer_channels(std::vector<Channel>& list, const TrailerDescription& 
 }  // namespace
 
 void add_suspension_channels(const VehicleDescription& vehicle, std::vector<Channel>& list) {
-    for (std::size_t i = 0; i < vehicle.corners.size(); ++i) add_corner_channels(list, vehicle.corners[i], i);
-    for (std::size_t i = 0; i < vehicle.composed.size(); ++i) add_composed_channels(list, vehicle.composed[i], i);
+    for (std::size_t i = 0; i < vehicle.suspensions.size(); ++i) add_channels_of(list, vehicle.suspensions[i], i);
     for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) add_trailer_channels(list, vehicle.trailers[i], i);
 }
 

@@ -1,4 +1,4 @@
-// The channels of corners, composed suspensions and trailers.
+// The channels of suspensions and trailers.
 #pragma once
 
 #include "hamilcar/run/channels.hpp"

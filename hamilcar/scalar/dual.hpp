@@ -119,4 +119,24 @@ Dual<T, N> logarithm(const Dual<T, N>& x) {
     return x.chained(logarithm(x.value()), T(T(1) / x.value()));
 }
 
+// What a number with derivatives is made of; a plain one is its own.
+inline double without_partials(double x) {
+    return x;
+}
+template <class T, int N>
+const T& without_partials(const Dual<T, N>& x) {
+    return x.value();
+}
+
+// f(x, y) where f and its slopes are known: what numbers with derivatives make of it.
+inline double chained(double value, double, double, double, double) {
+    return value;
+}
+template <class T, int N>
+Dual<T, N> chained(const T& value, const Dual<T, N>& x, const T& slope_x, const Dual<T, N>& y, const T& slope_y) {
+    std::array<T, N> partials;
+    for (int i = 0; i < N; ++i) partials[static_cast<std::size_t>(i)] = slope_x * x.partial(i) + slope_y * y.partial(i);
+    return {value, partials};
+}
+
 }  // namespace hamilcar

@@ -21,6 +21,14 @@ Composition trailing(const Hardpoints& p) {
     return hinge(p["inner_bush_m"], p["outer_bush_m"], "arm");
 }
 
+// The paper's Fig. 4, with seats on the arm.
+Composition semi_trailing(const Hardpoints& p) {
+    Composition out = trailing(p);
+    out.spring_line = {.part = out.carriers[0], .on_part = p["spring_arm_m"], .on_base = p["spring_body_m"]};
+    out.damper_line = {.part = out.carriers[0], .on_part = p["damper_arm_m"], .on_base = p["damper_body_m"]};
+    return out;
+}
+
 Composition swinging(const Hardpoints& p) {
     return hinge(p["rear_bush_m"], p["front_bush_m"], "half-axle");
 }
@@ -41,12 +49,18 @@ constexpr auto point = HardpointKind::point;
 
 }  // namespace
 
-const Recipe semi_trailing_arm_recipe{.keyword = "semi_trailing_arm",
-                                      .title = "Semi-trailing arm",
-                                      .keys = {{"inner_bush_m", point, "inner end of the pivot axis"},
-                                               {"outer_bush_m", point, "outer end of the pivot axis"}},
-                                      .spring_part = "carrier",
-                                      .compose = trailing};
+const Recipe semi_trailing_arm_recipe{
+    .keyword = "semi_trailing_arm",
+    .title = "Semi-trailing arm",
+    .keys = {{"inner_bush_m", point, "inner end of the pivot axis"},
+             {"outer_bush_m", point, "outer end of the pivot axis"},
+             {"spring_arm_m", point, "spring's seat on the arm"},
+             {"spring_body_m", point, "spring's seat on the chassis"},
+             {"damper_arm_m", point, "damper's mount on the arm"},
+             {"damper_body_m", point, "damper's mount on the chassis"}},
+    .spring_part = "carrier",
+    .apart = {{"inner_bush_m", "outer_bush_m"}, {"spring_arm_m", "spring_body_m"}, {"damper_arm_m", "damper_body_m"}},
+    .compose = semi_trailing};
 
 const Recipe trailing_arm_recipe{.keyword = "trailing_arm",
                                  .title = "Trailing arm",

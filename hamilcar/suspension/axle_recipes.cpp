@@ -1,4 +1,4 @@
-// Axles whose two wheels are one spoke: solid axles on links, with a Watt linkage, on leaf springs; the twist beam.
+// Axles whose two wheels are one suspension: solid axles on links, with a Watt linkage, on leaf springs; the twist beam.
 //
 // A solid axle is free in space and loses four of its six freedoms; heave and roll remain, and they are the independent
 // coordinates whatever the links are: no link of a solid axle is upright, so over the whole travel none of them locks.

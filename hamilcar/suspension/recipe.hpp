@@ -3,6 +3,7 @@
 // come from its list of keys.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -10,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hamilcar/description/linkage.hpp"
+#include "hamilcar/description/vehicle.hpp"
 
 namespace hamilcar {
 
@@ -19,9 +20,10 @@ inline Point mirrored(const Point& p) {
     return {p[0], -p[1], p[2]};
 }
 
-enum class HardpointKind { point, direction, flag, number };
+enum class HardpointKind { point, direction, flag, number, length };
 
-// One key of the table [axle.hardpoints] or [axle.rocker]. Directions, flags and numbers have a default.
+// One key of the table [axle.hardpoints] or [axle.rocker]. Directions, flags and numbers have a default; a length is that
+// between the points where the file does not give it.
 struct HardpointKey {
     std::string_view key;
     HardpointKind kind = HardpointKind::point;
@@ -56,15 +58,18 @@ struct PartChoice {
     bool has_table = false, needs_table = false;  // [axle.NAME] with mass, center and inertia
 };
 
+double distance(const Point& a, const Point& b);
 // Unit vector from a to b.
 Point direction_between(const Point& a, const Point& b);
 
 struct Composition {
     LinkageDescription linkage;
     std::vector<PartChoice> parts;
-    std::vector<std::size_t> carriers;  // of the wheels, left first
-    std::size_t drive_reaction = 0;     // part that the drive torque reacts on: 0 the hub
-    std::optional<int> twist;           // coordinate of a twist beam
+    std::vector<std::size_t> carriers;                        // of the wheels, left first
+    std::size_t drive_reaction = 0;                           // part that the drive torque reacts on: 0 the hub
+    std::optional<int> twist;                                 // coordinate of a twist beam
+    std::optional<LineDescription> spring_line, damper_line;  // of [axle.spring] and [axle.damper] where the suspension
+                                                              // itself says where they act
 
     // Adds a joint and gives the number of the part it carries.
     std::size_t join(TreeJoint kind, const std::string& part, std::size_t parent, const Point& point,
@@ -100,7 +105,8 @@ struct Recipe {
     std::vector<HardpointKey> keys;
     std::string_view spring_part;  // where springs and dampers act unless the file says otherwise
     bool may_have_rocker = false;
-    Composition (*compose)(const Hardpoints&) = nullptr;  // of the left side, or of both wheels
+    std::vector<std::array<std::string_view, 2>> apart{};  // keys of points that a part spans
+    Composition (*compose)(const Hardpoints&) = nullptr;   // of the left side, or of both wheels
 };
 
 // Every recipe; a new one is one file and one line in recipes.cpp.

@@ -18,10 +18,13 @@ const Recipe* find_recipe(std::string_view keyword) {
     return found == recipes().end() ? nullptr : *found;
 }
 
+double distance(const Point& a, const Point& b) {
+    return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+}
+
 Point direction_between(const Point& a, const Point& b) {
-    const Point d{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-    return {d[0] / length, d[1] / length, d[2] / length};
+    const double length = distance(a, b);
+    return {(b[0] - a[0]) / length, (b[1] - a[1]) / length, (b[2] - a[2]) / length};
 }
 
 }  // namespace hamilcar

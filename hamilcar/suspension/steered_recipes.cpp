@@ -30,7 +30,10 @@ Composition macpherson(const Hardpoints& p) {
     if (p.numbers.contains("arm_length_m")) arm.length = p.number("arm_length_m");
     add_rod(out, p, "tie rod", carrier, p["tie_rod_outer_m"], p["rack_end_m"]);
     if (p.numbers.contains("tie_rod_length_m")) out.linkage.cuts.back().length = p.number("tie_rod_length_m");
-    out.linkage.independent = {3};  // the strut's length
+    constexpr int length = 3;  // of the strut
+    out.linkage.independent = {length};
+    out.spring_line = {.coordinate = length, .at_design = distance(p["strut_top_m"], p["slide_point_m"])};
+    out.damper_line = out.spring_line;
     out.parts = {{"carrier", carrier, carrier, true, true}};
     out.carriers = {carrier};
     return out;
@@ -84,19 +87,23 @@ Composition five_link(const Hardpoints& p) {
 
 }  // namespace
 
-const Recipe macpherson_recipe{.keyword = "macpherson",
-                               .title = "MacPherson strut",
-                               .keys = {{"strut_top_m", point, "top mount"},
-                                        {"slide_point_m", point, "a point of the strut's axis on the carrier"},
-                                        {"arm_front_m", point, "control arm's axis, front bush"},
-                                        {"arm_rear_m", point, "control arm's axis, rear bush"},
-                                        {"ball_joint_m", point, "control arm's ball on the carrier"},
-                                        {"rack_end_m", point, "tie rod, inner end"},
-                                        {"tie_rod_outer_m", point, "tie rod, end on the carrier"},
-                                        steered,
-                                        rack_axis},
-                               .spring_part = "carrier",
-                               .compose = macpherson};
+const Recipe macpherson_recipe{
+    .keyword = "macpherson",
+    .title = "MacPherson strut",
+    .keys = {{"strut_top_m", point, "top mount"},
+             {"slide_point_m", point, "a point of the strut's axis on the carrier"},
+             {"arm_front_m", point, "control arm's axis, front bush"},
+             {"arm_rear_m", point, "control arm's axis, rear bush"},
+             {"ball_joint_m", point, "control arm's ball on the carrier"},
+             {"rack_end_m", point, "tie rod, inner end"},
+             {"tie_rod_outer_m", point, "tie rod, end on the carrier"},
+             steered,
+             rack_axis,
+             {"arm_length_m", HardpointKind::length, "control arm's ball from its axis"},
+             {"tie_rod_length_m", HardpointKind::length, "between the tie rod's ends"}},
+    .spring_part = "carrier",
+    .apart = {{"strut_top_m", "slide_point_m"}, {"arm_front_m", "arm_rear_m"}, {"rack_end_m", "tie_rod_outer_m"}},
+    .compose = macpherson};
 
 const Recipe double_wishbone_recipe{.keyword = "double_wishbone",
                                     .title = "Double wishbone",

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/driveline/powertrain.hpp"
 #include "hamilcar/math/convert.hpp"
 

@@ -4,7 +4,7 @@
 namespace hamilcar {
 
 template Vehicle<double>::Vehicle(const VehicleDescription&);
-template void Vehicle<double>::add_composed(const VehicleDescription&);
+template void Vehicle<double>::add_suspensions(const VehicleDescription&);
 template void Vehicle<double>::add_powertrain(const VehicleDescription&);
 
 }  // namespace hamilcar

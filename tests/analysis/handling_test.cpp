@@ -95,8 +95,8 @@ TEST_P(Handling, AtConstantRadiusIsTheGrowthOfTheAngle) {
 // Caster leans steered wheels into the bend: what their camber pushes, one percent of the E30's angle, is taken away.
 TEST_P(Handling, AtACrawlIsGeometry) {
     VehicleDescription upright = car;
-    for (CornerDescription& corner : upright.corners) {
-        auto* tire = std::get_if<MagicFormulaDescription>(&corner.tire);
+    for (SuspensionDescription& corner : upright.suspensions) {
+        auto* tire = std::get_if<MagicFormulaDescription>(&corner.wheels[0].tire);
         for (const MagicName name : {PHY3, PVY3, PVY4, PKY6, PKY7}) {
             if (tire) tire->coefficients[name] = 0;
         }
@@ -152,9 +152,9 @@ TEST_P(Handling, IsNearlyThatOfABicycle) {
 // An oversteering car on soft rear tires: beyond its critical speed it leaves the straight by itself, an eigenvalue says so.
 TEST(CriticalSpeed, IsWhereTheCarBecomesUnstable) {
     VehicleDescription car = test::shipped("hatchback");
-    for (ComposedSpokeDescription& spoke : car.composed) {
-        for (ComposedWheelDescription& wheel : spoke.wheels) {
-            std::get<LinearTireDescription>(wheel.tire).cornering_reference *= 0.6;
+    for (SuspensionDescription& suspension : car.suspensions) {
+        for (SuspensionWheelDescription& wheel : suspension.wheels) {
+            if (wheel.name.starts_with("rear")) std::get<LinearTireDescription>(wheel.tire).cornering_reference *= 0.6;
         }
     }
     const Linearizer linearizer(car);
@@ -175,7 +175,7 @@ TEST(CriticalSpeed, IsWhereTheCarBecomesUnstable) {
 TEST(Steady, NeedsAVehicleThatDrives) {
     EXPECT_THROW(steady_handling(test::shipped("bmw_323i"), 0), NoSolution);
     VehicleDescription coasting = test::shipped("bmw_323i");
-    for (CornerDescription& corner : coasting.corners) corner.drive_share = 0;
+    for (SuspensionDescription& corner : coasting.suspensions) corner.wheels[0].drive_share = 0;
     EXPECT_THROW(steady_handling(coasting, speed), NoSolution);
 }
 

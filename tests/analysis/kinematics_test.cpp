@@ -10,7 +10,6 @@
 #include <fstream>
 #include <numbers>
 
-#include "hamilcar/suspension/compose_corner.hpp"
 #include "support/fleet.hpp"
 
 namespace hamilcar {
@@ -75,30 +74,11 @@ TEST(E21, CamberGainsAreThoseOfVdanl) {
     EXPECT_NEAR(rear.design.roll_center, 0.173, 3e-3);  // derived for a sweep of 20 degrees
 }
 
-TEST(Kinematics, ComposedCornersGiveTheSameFigures) {
-    const VehicleDescription car = test::shipped("bmw_323i");
-    const auto compiled = kinematics(car, SweepRange{}), composed = kinematics(composed_throughout(car), SweepRange{});
-    ASSERT_EQ(compiled.size(), composed.size());
-    for (std::size_t i = 0; i < compiled.size(); ++i) {
-        ASSERT_EQ(compiled[i].sweeps.size(), composed[i].sweeps.size());
-        for (std::size_t s = 0; s < compiled[i].sweeps.size(); ++s) {
-            const auto &a = compiled[i].sweeps[s].rows, &b = composed[i].sweeps[s].rows;
-            ASSERT_EQ(a.size(), b.size());
-            for (std::size_t k = 0; k < a.size(); ++k) {
-                EXPECT_NEAR(a[k].left.camber, b[k].left.camber, 1e-9);
-                EXPECT_NEAR(a[k].right.steer, b[k].right.steer, 1e-9);
-                EXPECT_NEAR(a[k].roll_center, b[k].roll_center, 1e-7);
-                EXPECT_NEAR(a[k].left.spring_ratio, b[k].left.spring_ratio, 1e-8);
-            }
-        }
-    }
-}
-
 // A Panhard rod holds its axle sideways: the roll center lies where the rod crosses the middle plane.
 TEST(Kinematics, RollCenterOfAPanhardAxleLiesOnTheRod) {
     VehicleDescription car = test::shipped("offroader");
-    for (const ComposedSpokeDescription& spoke : car.composed) {
-        if (spoke.suspension != "panhard_axle") continue;
+    for (const SuspensionDescription& spoke : car.suspensions) {
+        if (spoke.keyword != "panhard_axle") continue;
         for (const CutJointDescription& cut : spoke.linkage.cuts) {
             if (cut.name != "Panhard rod") continue;
             const double share = cut.tip[1] / (cut.tip[1] - cut.foot[1]);

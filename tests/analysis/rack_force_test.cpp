@@ -9,8 +9,8 @@
 
 #include "hamilcar/analysis/acceleration.hpp"
 #include "hamilcar/analysis/linear_model.hpp"
-#include "hamilcar/suspension/compose_corner.hpp"
 #include "support/fleet.hpp"
+#include "support/hardpoints.hpp"
 
 namespace hamilcar {
 namespace {
@@ -34,13 +34,13 @@ struct Instant {
 
 // Springs and dampers between chassis and knuckle, off the strut: the rack moves them.
 VehicleDescription sprung_at_the_knuckle() {
-    VehicleDescription car = composed_throughout(test::shipped("bmw_323i"));
+    VehicleDescription car = test::shipped("bmw_323i");
     for (std::size_t s = 0; s < 2; ++s) {
-        ComposedSpokeDescription& spoke = car.composed[s];
-        const Point& c = spoke.wheels[0].wheel.center;
+        SuspensionDescription& suspension = car.suspensions[s];
+        const Point& c = suspension.wheels[0].wheel.center;
         const LineDescription line{
-            spoke.wheels[0].part, 0, {c[0] + 0.05, 0.8 * c[1], 0.35}, {-0.02, 0.75 * c[1], 0.7}, {}};
-        spoke.springs[0].line = spoke.dampers[0].line = line;
+            suspension.wheels[0].part, 0, {c[0] + 0.05, 0.8 * c[1], 0.35}, {-0.02, 0.75 * c[1], 0.7}, {}};
+        suspension.springs[0].line = suspension.dampers[0].line = line;
     }
     return car;
 }
@@ -61,7 +61,7 @@ VehicleDescription conservative(const std::string& name) {
     return car;
 }
 
-// Struts with a program of their own; struts, wishbones and beam axles composed of parts.
+// Struts, wishbones and beam axles.
 class RackForce : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Cars, RackForce,
                          testing::Values("bmw_323i", "hatchback", "knuckle", "formula", "offroader",
@@ -104,18 +104,12 @@ TEST_P(RackForce, WorksWhatTheCarGains) {
 double lost(const Instant& at) {
     const Vehicle<double>& vehicle = at.model.vehicle;
     double power = vehicle.aerodynamics.evaluate(at.velocity.hub, Vec::Zero()).power;
-    for (int i = 0; i < vehicle.spoke_count(); ++i) {
-        visit_spoke(vehicle, at.velocity, i, [&](const auto&, const auto&, const auto& spoke) {
-            power += lost_power(at.momenta.spokes[static_cast<std::size_t>(i)].forces, spoke.spin_axis, spoke.motion,
-                                at.velocity.hub);
-        });
-    }
-    for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
-        const ComposedSpoke<double>& spoke = vehicle.composed[s];
-        const ComposedVelocity<double>& moving = at.velocity.composed.spokes[s];
-        const ComposedMomenta<double>& forces = at.momenta.composed.spokes[s];
-        for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
-            const auto& wheel = spoke.wheels[i];
+    for (std::size_t s = 0; s < vehicle.suspensions.size(); ++s) {
+        const Suspension<double>& suspension = vehicle.suspensions[s];
+        const SuspensionVelocity<double>& moving = at.velocity.suspensions[s];
+        const SuspensionMomenta<double>& forces = at.momenta.suspensions[s];
+        for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
+            const auto& wheel = suspension.wheels[i];
             const auto& f = forces.wheels[i];
             const auto turning = [&](int frame) {
                 return moving.axis[i].dot(angular(moving.motion[static_cast<std::size_t>(frame)]));
@@ -124,12 +118,12 @@ double lost(const Instant& at) {
             power +=
                 f.drive_torque * (f.spin + turning(wheel.frame) - turning(wheel.reaction)) + f.brake_torque * f.spin;
         }
-        for (std::size_t i = 0; i < spoke.dampers.size(); ++i)
+        for (std::size_t i = 0; i < suspension.dampers.size(); ++i)
             power += forces.dampers[i].force * forces.dampers[i].rate;
     }
     for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
         const Trailer<double>& trailer = vehicle.trailers[i];
-        const double rate = at.velocity.composed.trailers[i].own.V_rate[static_cast<std::size_t>(trailer.yaw)];
+        const double rate = at.velocity.trailers[i].own.V_rate[static_cast<std::size_t>(trailer.yaw)];
         power -= trailer.yaw_damping * rate * rate;
     }
     return power;
@@ -188,17 +182,18 @@ TEST_P(RackForce, OfACarAtRestIsTheSlopeOfItsEnergy) {
 
 // Moments on a spindle about its steering axis, from the strut's top to the ball joint: strut, spring and control arm have
 // no lever there. What holds the rest is the tie rod, and the rack holds that.
-double force_of_rod(const Instant& at, const CornerDescription& corner, int i) {
-    const auto& points = std::get<MacPhersonDescription>(corner.suspension);
-    const auto& spoke =
-        std::get<SpokeVelocity<double, MacPherson<double>>>(at.velocity.spokes[static_cast<std::size_t>(i)]);
-    const Pose<double>& pose = spoke.position.pose;
-    const auto& f = at.momenta.spokes[static_cast<std::size_t>(i)].forces;
+double force_of_rod(const Instant& at, const SuspensionDescription& suspension, int i) {
+    const test::MacPhersonPoints points = test::strut_points(suspension);
+    const auto frame =
+        static_cast<std::size_t>(at.model.vehicle.suspensions[static_cast<std::size_t>(i)].wheels[0].frame);
+    const Pose<double> pose = at.velocity.suspensions[static_cast<std::size_t>(i)].at.pose[frame].pose();
+    const auto& f = at.momenta.suspensions[static_cast<std::size_t>(i)].wheels[0];
     const Vec top = vec3(points.strut_top), ball = pose.point(vec3(points.ball_joint));
     const Vec rack = vec3(points.rack_axis), outer = pose.point(vec3(points.tie_rod_outer));
     const Vec rod = (outer - vec3(points.rack_end) - rack * at.input.rack.displacement).normalized();
-    const Vec center = pose.point(vec3(corner.wheel.center)), axis = pose.direction(vec3(corner.wheel.spin_axis));
-    const Vec mass_center = pose.point(vec3(corner.carrier.center_of_mass)), w = angular(at.velocity.hub);
+    const Vec center = pose.point(vec3(suspension.wheels[0].wheel.center)),
+              axis = pose.direction(vec3(suspension.wheels[0].wheel.spin_axis));
+    const Vec mass_center = pose.point(vec3(suspension.bodies[0].body.center_of_mass)), w = angular(at.velocity.hub);
 
     Vec moment = f.tire.Mx * f.frame.longitudinal + f.tire.Mz * f.frame.normal;
     const Vec push = f.tire.Fx * f.frame.longitudinal + f.tire.Fy * f.frame.lateral + f.tire.Fz * f.frame.normal;
@@ -207,9 +202,9 @@ double force_of_rod(const Instant& at, const CornerDescription& corner, int i) {
     moment += (center - ball).cross(push + Vec(0, 0, f.stop + f.bar));
     const Vec acceleration = w.cross(velocity_at<double>(at.velocity.hub, mass_center));  // on a circle
     const Vec gravity = -at.model.vehicle.gravity * at.velocity.R_GC.row(2).transpose();
-    moment += (mass_center - ball).cross(corner.carrier.mass * (gravity - acceleration));
-    const Mat3<double> inertia = pose.R * vec3(corner.carrier.inertia).asDiagonal() * pose.R.transpose();
-    moment -= w.cross(inertia * w + axis * corner.wheel.spin_inertia * (f.spin + axis.dot(w)));
+    moment += (mass_center - ball).cross(suspension.bodies[0].body.mass * (gravity - acceleration));
+    const Mat3<double> inertia = pose.R * vec3(suspension.bodies[0].body.inertia).asDiagonal() * pose.R.transpose();
+    moment -= w.cross(inertia * w + axis * suspension.wheels[0].wheel.spin_inertia * (f.spin + axis.dot(w)));
     const Vec kingpin = (top - ball).normalized();
     const double along_rod = -kingpin.dot(moment) / kingpin.dot((outer - ball).cross(rod));
     return along_rod * rod.dot(rack);
@@ -221,7 +216,7 @@ TEST(RackForceOnACircle, IsWhatBothTieRodsNeed) {
         const OperatingPoint circle = linearizer.operating_point({20, lateral});
         ASSERT_TRUE(circle.found) << circle.problem;
         const Instant at{linearizer.model(), circle.state, circle.input};
-        const auto& corners = linearizer.vehicle().corners;
+        const auto& corners = linearizer.vehicle().suspensions;
         const double wanted = force_of_rod(at, corners[0], 0) + force_of_rod(at, corners[1], 1);
         const double force = at.rack_force();
         std::printf("%.0f m/s^2: %.6f N, by the tie rods %.6f N\n", lateral, force, wanted);
@@ -229,17 +224,6 @@ TEST(RackForceOnACircle, IsWhatBothTieRodsNeed) {
         // caster and the tires' own moment turn the wheels back: the rack, that steers to the left, has to push there
         EXPECT_GT(force * lateral, 0);
     }
-}
-
-TEST(RackForceOfBothPrograms, IsTheSame) {
-    const VehicleDescription car = test::shipped("bmw_323i"), composed = composed_throughout(car);
-    ScenarioDescription scenario = test::everything_moves(car, 1.2);
-    Simulation one(car, scenario), other(composed, scenario);
-    test::run_to_end(one), test::run_to_end(other);
-    const auto force = [](const Simulation& s) {
-        return Instant{s.model(), s.state(), s.schedule()(s.time())}.rack_force();
-    };
-    EXPECT_NEAR(force(one), force(other), 1e-8 * std::abs(force(one)));
 }
 
 TEST(RackForceStraightAhead, OfAParkedCarIsZero) {

@@ -21,12 +21,12 @@ Simulation various(int i, SolverDescription solver = {}) {
     VehicleDescription car = test::paper_car();
     car.chassis.mass *= 1 + 0.03 * i;
     car.chassis.center_of_mass[0] += 0.01 * i;
-    for (CornerDescription& corner : car.corners) {
-        corner.spring.rate *= 1 + 0.02 * i;
-        std::get<LinearTireDescription>(corner.tire).friction *= 1 - 0.03 * i;
-        corner.brake.max_torque *= 1 + 0.05 * i;
+    for (SuspensionDescription& corner : car.suspensions) {
+        corner.springs[0].spring.rate *= 1 + 0.02 * i;
+        std::get<LinearTireDescription>(corner.wheels[0].tire).friction *= 1 - 0.03 * i;
+        corner.wheels[0].brake.max_torque *= 1 + 0.05 * i;
     }
-    if (i % 2 == 1) car.corners[0].damper = {{-1, -0.1, 0.2, 1}, {-1500, -300, 400, 1200}};
+    if (i % 2 == 1) car.suspensions[0].dampers[0].damper = {{-1, -0.1, 0.2, 1}, {-1500, -300, 400, 1200}};
     ScenarioDescription s = test::scenario(10, 4 + 2 * i);
     s.solver = solver;
     s.road.grade = 0.01 * (i % 3), s.road.bank = -0.005 * i, s.road.friction = 1 - 0.02 * i;
@@ -122,7 +122,7 @@ TEST_P(EveryEngine, ReportsCarsThatEndAndKeepsTheOthersAsTheyWere) {
     tipping.initial.settle = false, tipping.initial.height = 0.6, tipping.initial.angular_velocity = {4, 0, 0};
     all.insert(all.begin() + 1, Simulation(test::paper_car(), tipping));
     VehicleDescription stiff = test::paper_car();
-    for (CornerDescription& corner : stiff.corners) corner.spring.rate *= 1e4;
+    for (SuspensionDescription& corner : stiff.suspensions) corner.springs[0].spring.rate *= 1e4;
     ScenarioDescription thrown = test::scenario(10, 10);
     thrown.initial.settle = false, thrown.initial.height = 0.3;
     all.insert(all.begin() + 3, Simulation(stiff, thrown));
@@ -205,7 +205,7 @@ TEST(Batch, RefusesWhatCannotShareAChunk) {
     EXPECT_THAT(message(all, {}), HasSubstr("integrator"));
     VehicleDescription springs = test::conservative_car();
     all.back() = Simulation(springs, test::scenario(1));
-    EXPECT_THAT(message(all, {}), HasSubstr("tire model of corner 1"));
+    EXPECT_THAT(message(all, {}), HasSubstr("tire model of wheel 1"));
     EXPECT_THAT(message({various(0, {.integrator = "dopri5"})}, {}), HasSubstr("fixed steps"));
     all.pop_back();
     all[1].advance();

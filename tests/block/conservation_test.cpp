@@ -7,8 +7,6 @@
 namespace hamilcar {
 namespace {
 
-constexpr int corners = 4;
-
 // The conservative car thrown spinning: rolling, pitching, yawing, wheels a little too fast, within its travel.
 State<double> thrown(const Model<double>& model) {
     const Input<double> input;
@@ -17,7 +15,10 @@ State<double> thrown(const Model<double>& model) {
     Spatial<double> v;
     v << 10, 2, 0.1, 0.12, 0.1, 1.0;
     set_velocities(model, input, v, state);
-    for (int i = 0; i < corners; ++i) state.spoke(i).spin_momentum *= 1.0 + 0.1 * i;
+    for (std::size_t i = 0; i < 4; ++i) {
+        model.vehicle.suspensions[i].wheel_state(0, state.values.data()).spin_momentum *=
+            1 + 0.1 * static_cast<double>(i);
+    }
     return state;
 }
 
@@ -33,7 +34,7 @@ Outcome run_thrown(const char* method, double step, double duration, double tole
     const Input<double> input;
     const auto driver = [&](double) { return input; };
     State<double> state = thrown(model);
-    Integrator<State<double>> integrator(*find_method(method), step, hub_size + corners * spoke_size, tolerance);
+    Integrator<State<double>> integrator(*find_method(method), step, model.vehicle.state_size, tolerance);
     const double before = test::energy_of(model, state, input).balance();
     Outcome outcome;
     const int steps = static_cast<int>(std::lround(duration / step));
@@ -43,9 +44,8 @@ Outcome run_thrown(const char* method, double step, double duration, double tole
         const auto momenta = momenta_block(model, state, input, velocity);
         const double error = std::abs(energy(model, state, velocity, momenta).balance() - before);
         outcome.worst_energy_error = std::max(outcome.worst_energy_error, error);
-        for (int j = 0; j < corners; ++j) {
-            outcome.stop_force =
-                std::max(outcome.stop_force, std::abs(momenta.spokes[static_cast<std::size_t>(j)].forces.stop));
+        for (std::size_t j = 0; j < 4; ++j) {
+            outcome.stop_force = std::max(outcome.stop_force, std::abs(momenta.suspensions[j].wheels[0].stop));
         }
     }
     outcome.state = state;
@@ -81,7 +81,7 @@ protected:
     static double error(const char* method, double step) {
         const State<double> state = run_thrown(method, step, duration, any_error).state;
         double sum = 0;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(hub_size + corners * spoke_size); ++i) {
+        for (std::size_t i = 0; i < state.values.size(); ++i) {
             const double scale = std::max(1.0, std::abs(reference().values[i]));
             sum += std::pow((state.values[i] - reference().values[i]) / scale, 2);
         }
@@ -130,7 +130,7 @@ TEST(Momentum, StaysWithoutExternalForces) {
             return p_and_L;
         };
         const Vector<double, 6> before = invariants();
-        Integrator<State<double>> integrator(*find_method("ab3"), 1e-3, hub_size + corners * spoke_size);
+        Integrator<State<double>> integrator(*find_method("ab3"), 1e-3, model.vehicle.state_size);
         for (int i = 0; i < 1000; ++i) integration_block(model, integrator, driver, i * 1e-3, state);
         const Vector<double, 6> change = invariants() - before;
         std::printf("momentum changes by %.1e, moment of momentum by %.1e of them\n",

@@ -135,7 +135,7 @@ TEST(Powertrain, PushesTheCarWithItsTorqueLessWhatItAcceleratesAndLoses) {
     test::run_to_end(car);
     const Sample at = car.sample();
     const auto& unit = at.momenta.powertrain.units[0];
-    const double ratio = 2.20 * 3.25, radius = rolling_radius(at.model.vehicle.spokes[2].tire);
+    const double ratio = 2.20 * 3.25, radius = rolling_radius(at.model.vehicle.suspensions[2].wheels[0].tire);
     const Senses senses = car.senses();
     const double a = car.senses().speed;
     ASSERT_FALSE(car.advance());

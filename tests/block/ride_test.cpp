@@ -45,11 +45,11 @@ std::vector<double> natural_frequencies() {
 
 // Wheel rate [N/m]: how the vertical force at the wheel center that balances the spring grows with the center's height,
 // the chassis held. Weightless and without a tire, so that P_V' is the spring's alone.
-double wheel_rate(int corner) {
+double wheel_rate(std::size_t number) {
     VehicleDescription car = test::conservative_car();
     car.gravity = 0;
     car.anti_roll_bars.clear();
-    for (auto& c : car.corners) c.tire = SpringTireDescription{0.3, 0.3, 0};
+    for (auto& c : car.suspensions) c.wheels[0].tire = SpringTireDescription{0.3, 0.3, 0};
     const Model<double> model = test::make_model(car);
     const Input<double> input;
     State<double> state = design_state(model, Vec3<double>::Zero(), Mat3<double>::Identity());
@@ -59,15 +59,15 @@ double wheel_rate(int corner) {
     };
     const auto at = [&](double V) {
         State<double> moved = state;
-        moved.spoke(corner).independent[0] += V;
+        const Suspension<double>& suspension = model.vehicle.suspensions[number];
+        *suspension.state(moved.values.data()).independent += V;
         close_loops(model, input.rack, moved, 5);
         const auto velocity = velocity_block(model, moved, input);
         const auto momenta = momenta_block(model, moved, input, velocity);
-        return visit_spoke(model.vehicle, velocity, corner, [&](const auto& spoke, const auto&, const auto& v) {
-            const Vec3<double> center = v.position.pose.point(spoke.wheel.center);
-            const double lever = velocity_at<double>(Spatial<double>(v.position.J.col(0)), center)[2];
-            return Point{center[2], -momenta.spokes[static_cast<std::size_t>(corner)].momentum_rate[0] / lever};
-        });
+        const SuspensionVelocity<double>& v = velocity.suspensions[number];
+        const auto frame = static_cast<std::size_t>(suspension.wheels[0].frame);
+        const double lever = velocity_at<double>(Spatial<double>(v.at.motion.J[frame].col(0)), v.center[0])[2];
+        return Point{v.center[0][2], -momenta.suspensions[number].momentum_rate[0] / lever};
     };
     const Point above = at(1e-4), below = at(-1e-4);
     return (above.force - below.force) / (above.height - below.height);
@@ -77,14 +77,14 @@ double wheel_rate(int corner) {
 // 21.5 and 17.7 kN/m and ride frequencies 1.40 and 1.41 Hz.
 TEST(Ride, WheelRatesAreThePublishedOnesAndFrequenciesFollow) {
     struct Row {
-        int corner;
+        std::size_t suspension;
         double wheel_rate, ride_rate, sprung_mass, frequency;
     };
     for (const Row& row : {Row{0, 24453, 21.5e3, 276.9, 1.40}, Row{2, 19636, 17.7e3, 224.1, 1.41}}) {
         constexpr double tire = 180e3;
-        const double wheel = wheel_rate(row.corner), ride = wheel * tire / (wheel + tire);
+        const double wheel = wheel_rate(row.suspension), ride = wheel * tire / (wheel + tire);
         const double frequency = std::sqrt(ride / row.sprung_mass) / (2 * std::numbers::pi);
-        std::printf("corner %d: wheel rate %.0f N/m, ride rate %.0f N/m, %.3f Hz\n", row.corner, wheel, ride,
+        std::printf("suspension %zu: wheel rate %.0f N/m, ride rate %.0f N/m, %.3f Hz\n", row.suspension, wheel, ride,
                     frequency);
         EXPECT_NEAR(wheel, row.wheel_rate, 0.005 * row.wheel_rate);  // the spring rate is printed to half a percent
         EXPECT_NEAR(ride, row.ride_rate, 100);                       // printed to 100 N/m

@@ -81,14 +81,14 @@ TEST(Equilibrium, HasTheLoadsHeightsAndStrutLengthItWasLaidOutFor) {
     // g = 9.81, a strut of 531.83 mm, wheel centers 0.278 and 0.280 m high.
     for (std::size_t i = 0; i < 4; ++i) {
         const double load = i < 2 ? 3059 : 2581, height = i < 2 ? 0.2778 : 0.2804;
-        const SpokeForces<double>& f = s.momenta.spokes[i].forces;
+        const WheelForces<double>& f = s.momenta.suspensions[i].wheels[0];
         EXPECT_NEAR(f.tire.Fz, load, 0.001 * load);
         EXPECT_NEAR(f.contact.depth, load / 180e3, 5e-5);
         EXPECT_NEAR(0.2948 - f.contact.depth, height, 2e-4);
         EXPECT_NEAR(f.travel, 0, 2e-4);
     }
-    EXPECT_NEAR(s.state.spoke(0).independent[0], 0.53183, 2e-4);
-    EXPECT_NEAR(s.state.spoke(2).independent[0], 0, 2e-4 / 0.4185);
+    EXPECT_NEAR(s.momenta.suspensions[0].springs[0].length, 0.53183, 2e-4);
+    EXPECT_NEAR(*s.model.vehicle.suspensions[2].state(s.state.values.data()).independent, 0, 2e-4 / 0.4185);
 }
 
 }  // namespace

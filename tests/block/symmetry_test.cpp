@@ -81,8 +81,8 @@ TEST(Mirror, SkewTiresAreMirroredFromSideToSide) {
     const MagicFormulaDescription left = io::tir_from(io::parse_property_file(text, "left.tir")).tire;
     ASSERT_NE(left.coefficients[PHY1], 0);
     VehicleDescription car = test::shipped_car();
-    for (std::size_t i = 0; i < car.corners.size(); ++i) {
-        car.corners[i].tire = i % 2 == 0 ? TireDescription(left) : mirrored(TireDescription(left));
+    for (std::size_t i = 0; i < car.suspensions.size(); ++i) {
+        car.suspensions[i].wheels[0].tire = i % 2 == 0 ? TireDescription(left) : mirrored(TireDescription(left));
     }
     expect_mirrored(car);
 }
@@ -97,7 +97,7 @@ TEST(FarAway, ChangesNothing) {
     EXPECT_NEAR(moved[0], 10e3, 1e-9);
     EXPECT_NEAR(moved[1], -10e3, 1e-9);
     EXPECT_NEAR(moved[2], 0, 1e-9);
-    for (int i = 3; i < hub_size + 4 * spoke_size; ++i) {
+    for (int i = 3; i < here.model().vehicle.state_size; ++i) {
         if (i == 13) continue;  // work [J], compared with the energy's size below
         const double a = here.state().values[static_cast<std::size_t>(i)],
                      b = there.state().values[static_cast<std::size_t>(i)];

@@ -18,9 +18,11 @@ EngineDescription engine() {
 // Two wheels behind one differential, nothing else.
 VehicleDescription axle() {
     VehicleDescription d;
-    d.corners.resize(2);
-    for (CornerDescription& corner : d.corners)
-        corner.wheel = {.center = {}, .spin_axis = {0, 1, 0}, .spin_inertia = 0.8};
+    d.suspensions.resize(2);
+    for (SuspensionDescription& suspension : d.suspensions) {
+        suspension.wheels.resize(1);
+        suspension.wheels[0].wheel = {.center = {}, .spin_axis = {0, 1, 0}, .spin_inertia = 0.8};
+    }
     PowerUnitDescription unit{.name = "engine", .source = engine(), .inertia = 0.2};
     unit.coupling = ClutchDescription{.capacity = 300};
     unit.stiffness = 1000, unit.damping_ratio = 0.1;
@@ -175,7 +177,7 @@ TEST(Differential, SharesTorqueAndLocksAsItsKindSays) {
 
 TEST(Powertrain, LeadsTorquesDownATreeAndSpeedsUp) {
     VehicleDescription d = axle();
-    d.corners.resize(4, d.corners[0]);
+    d.suspensions.resize(4, d.suspensions[0]);
     d.differentials = {
         {.name = "front", .ratio = 4, .outputs = {{{true, 0}, {true, 1}}}, .shaft_stiffness = 5e3},
         {.name = "rear", .ratio = 4, .outputs = {{{true, 2}, {true, 3}}}, .shaft_stiffness = 5e3},

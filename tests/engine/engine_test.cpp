@@ -109,10 +109,10 @@ TEST_P(EveryVehicle, HasTheSameBitsInABatch) {
     for (int i = 0; i < 5; ++i) {
         VehicleDescription car = test::shipped(GetParam());
         car.chassis.mass *= 1 + 0.03 * i;
-        for (CornerDescription& corner : car.corners) corner.spring.rate *= 1 + 0.02 * i;
-        for (ComposedSpokeDescription& spoke : car.composed) {
+        for (SuspensionDescription& corner : car.suspensions) corner.springs[0].spring.rate *= 1 + 0.02 * i;
+        for (SuspensionDescription& spoke : car.suspensions) {
             for (CutJointDescription& cut : spoke.linkage.cuts) cut.tip[2] += 5e-4 * i;
-            for (ComposedSpringDescription& spring : spoke.springs) spring.spring.rate *= 1 + 0.02 * i;
+            for (SuspensionSpringDescription& spring : spoke.springs) spring.spring.rate *= 1 + 0.02 * i;
         }
         ScenarioDescription scenario = test::everything_moves(car);
         scenario.initial.velocity[0] += i;
@@ -143,7 +143,7 @@ TEST(Engines, RunEveryIntegratorToTheSameBits) {
 TEST(Engines, RunEveryTireToTheSameBits) {
     for (const TireDescription& tire : test::slip_tires()) {
         VehicleDescription car = test::paper_car();
-        for (CornerDescription& corner : car.corners) corner.tire = tire;
+        for (SuspensionDescription& corner : car.suspensions) corner.wheels[0].tire = tire;
         expect_same_bits_by_every_engine(car, test::everything_moves(car), 400, std::to_string(tire.index()));
     }
 }
@@ -183,8 +183,8 @@ TEST(Engines, RunEveryElementOfARoadToTheSameBits) {
         std::make_shared<CrgDescription>(test::straight([](double u, double v) { return 0.01 * u + 0.01 * v; }));
     s.road.patches.push_back({.start = 4, .end = 9, .right = -9, .left = 0, .friction = 0.3});
     s.road.posts.height.push_back(test::table({0, 0.5, 1}, {0, 0.02, 0}));
-    expect_same_bits_by_every_engine(car, s, 600, "corners");
-    expect_same_bits_by_every_engine(test::shipped("truck_semitrailer"), s, 300, "composed, with a trailer");
+    expect_same_bits_by_every_engine(car, s, 600, "struts and trailing arms");
+    expect_same_bits_by_every_engine(test::shipped("truck_semitrailer"), s, 300, "with a trailer");
 }
 
 // What decays toward zero would end among the numbers too small to have all their digits.

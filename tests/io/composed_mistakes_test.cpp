@@ -113,10 +113,10 @@ void expect_own(const BadInput& bad) {
 TEST(OwnLinkage, IsReadOnBothSides) {
     const TemporaryFolder folder;
     const VehicleDescription car = read_vehicle(folder.write("own.toml", own_linkage));
-    ASSERT_EQ(car.composed.size(), 2u);
-    EXPECT_EQ(car.composed[1].name, "front_right");
-    EXPECT_EQ(car.composed[1].linkage.cuts[0].tip[1], -0.64);
-    EXPECT_EQ(car.composed[0].linkage.independent.size(), 1u);
+    ASSERT_EQ(car.suspensions.size(), 2u);
+    EXPECT_EQ(car.suspensions[1].name, "front_right");
+    EXPECT_EQ(car.suspensions[1].linkage.cuts[0].tip[1], -0.64);
+    EXPECT_EQ(car.suspensions[0].linkage.independent.size(), 1u);
 }
 
 TEST(OwnLinkage, TakesSpringsAlongJointsAndBetweenAnyParts) {
@@ -126,7 +126,8 @@ TEST(OwnLinkage, TakesSpringsAlongJointsAndBetweenAnyParts) {
         "rate_N_per_m = 1e3\nforce_at_design_N = 10\n";
     const TemporaryFolder folder;
     const VehicleDescription car = read_vehicle(folder.write("own.toml", own_linkage + more));
-    const std::vector<ComposedSpringDescription>&left = car.composed[0].springs, &right = car.composed[1].springs;
+    const std::vector<SuspensionSpringDescription>&left = car.suspensions[0].springs,
+          &right = car.suspensions[1].springs;
     ASSERT_EQ(left.size(), 3u);
     ASSERT_EQ(right.size(), 3u);
     EXPECT_EQ(left[1].line.coordinate, 0);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "files.hpp"
+#include "support/hardpoints.hpp"
 
 namespace hamilcar::io {
 namespace {
@@ -40,20 +41,21 @@ TEST(ShippedCar, HubIsThatOfTheDataSheet) {
     EXPECT_EQ(car.steering.rack_travel, 0.073);
     EXPECT_EQ(car.gravity, 9.80665);
     double mass = car.chassis.mass, driven = 0;
-    for (const auto& corner : car.corners) mass += corner.carrier.mass, driven += corner.drive_share;
+    for (const auto& corner : car.suspensions)
+        mass += corner.bodies[0].body.mass, driven += corner.wheels[0].drive_share;
     EXPECT_EQ(mass, 1150.0);
     EXPECT_EQ(driven, 1.0);
 }
 
 TEST(ShippedCar, CornersAreInOrder) {
     std::vector<std::string> names;
-    for (const auto& corner : paper_car().corners) names.push_back(corner.name);
+    for (const auto& corner : paper_car().suspensions) names.push_back(corner.name);
     EXPECT_THAT(names, ElementsAre("front_left", "front_right", "rear_left", "rear_right"));
 }
 
 TEST(ShippedCar, FrontLeftIsThatOfTheDataSheet) {
-    const CornerDescription corner = paper_car().corners[0];
-    const auto& strut = std::get<MacPhersonDescription>(corner.suspension);
+    const SuspensionDescription corner = paper_car().suspensions[0];
+    const test::MacPhersonPoints strut = test::strut_points(corner);
     expect_point(strut.strut_top, {-0.1051, 0.4962, 0.7950});
     expect_point(strut.slide_point, {-0.0240, 0.6013, 0.2800});
     expect_point(strut.arm_front, {0, 0.3180, 0.1886});
@@ -63,41 +65,41 @@ TEST(ShippedCar, FrontLeftIsThatOfTheDataSheet) {
     expect_point(strut.tie_rod_outer, {0.1115, 0.6969, 0.1900});
     expect_point(strut.rack_axis, {0, 1, 0});
     EXPECT_FALSE(strut.arm_length || strut.tie_rod_length);
-    EXPECT_EQ(corner.carrier.mass, 35.0);
-    expect_point(corner.carrier.center_of_mass, {-0.01, 0.6601, 0.31});
-    expect_point(corner.wheel.center, {0, 0.7001, 0.28});
-    expect_point(corner.wheel.spin_axis, {0.002705, 0.999924, 0.012042}, 1e-6);  // printed with six digits
-    EXPECT_EQ(corner.spring.rate, 26200.0);
-    EXPECT_EQ(corner.spring.force_at_design, 2951.0);
-    EXPECT_THAT(corner.damper.velocity, ElementsAre(-1, 1));
-    EXPECT_THAT(corner.damper.force, ElementsAre(-2093, 2093));
-    EXPECT_EQ(corner.bump.gap, 0.060);
-    EXPECT_EQ(corner.bump.progression, 1e6);
-    EXPECT_EQ(corner.rebound.rate, 100e3);
-    EXPECT_EQ(corner.brake.max_torque, 1650.0);
-    EXPECT_EQ(corner.brake.valve_command, 1) << "no valve in front";
-    EXPECT_EQ(paper_car().corners[2].brake.valve_command, 0.267);
-    EXPECT_EQ(paper_car().corners[2].brake.valve_slope, 0.21);
-    EXPECT_EQ(corner.drive_share, 0.0);
+    EXPECT_EQ(corner.bodies[0].body.mass, 35.0);
+    expect_point(corner.bodies[0].body.center_of_mass, {-0.01, 0.6601, 0.31});
+    expect_point(corner.wheels[0].wheel.center, {0, 0.7001, 0.28});
+    expect_point(corner.wheels[0].wheel.spin_axis, {0.002705, 0.999924, 0.012042}, 1e-6);  // printed with six digits
+    EXPECT_EQ(corner.springs[0].spring.rate, 26200.0);
+    EXPECT_EQ(corner.springs[0].spring.force_at_design, 2951.0);
+    EXPECT_THAT(corner.dampers[0].damper.velocity, ElementsAre(-1, 1));
+    EXPECT_THAT(corner.dampers[0].damper.force, ElementsAre(-2093, 2093));
+    EXPECT_EQ(corner.wheels[0].bump.gap, 0.060);
+    EXPECT_EQ(corner.wheels[0].bump.progression, 1e6);
+    EXPECT_EQ(corner.wheels[0].rebound.rate, 100e3);
+    EXPECT_EQ(corner.wheels[0].brake.max_torque, 1650.0);
+    EXPECT_EQ(corner.wheels[0].brake.valve_command, 1) << "no valve in front";
+    EXPECT_EQ(paper_car().suspensions[2].wheels[0].brake.valve_command, 0.267);
+    EXPECT_EQ(paper_car().suspensions[2].wheels[0].brake.valve_slope, 0.21);
+    EXPECT_EQ(corner.wheels[0].drive_share, 0.0);
 }
 
 TEST(ShippedCar, RearLeftIsThatOfTheDataSheet) {
-    const CornerDescription corner = paper_car().corners[2];
-    const auto& arm = std::get<SemiTrailingArmDescription>(corner.suspension);
+    const SuspensionDescription corner = paper_car().suspensions[2];
+    const test::SemiTrailingArmPoints arm = test::arm_points(corner);
     expect_point(arm.inner_bush, {-2.2770, 0.1753, 0.2800});
     expect_point(arm.outer_bush, {-2.1735, 0.5617, 0.2800});
     expect_point(arm.spring_arm, {-2.4924, 0.480, 0.235});
     expect_point(arm.spring_body, {-2.480, 0.480, 0.470});
     expect_point(arm.damper_arm, {-2.640, 0.545, 0.240});
     expect_point(arm.damper_body, {-2.600, 0.530, 0.700});
-    expect_point(corner.carrier.inertia, {0.85, 0.40, 1.05});
-    expect_point(corner.wheel.spin_axis, {0.002705, 0.999530, 0.030539}, 2e-6);
-    EXPECT_EQ(corner.spring.rate, 40700.0);
-    EXPECT_EQ(corner.drive_share, 0.5);
+    expect_point(corner.bodies[0].body.inertia, {0.85, 0.40, 1.05});
+    expect_point(corner.wheels[0].wheel.spin_axis, {0.002705, 0.999530, 0.030539}, 2e-6);
+    EXPECT_EQ(corner.springs[0].spring.rate, 40700.0);
+    EXPECT_EQ(corner.wheels[0].drive_share, 0.5);
 }
 
 TEST(ShippedCar, TireHasTheCorneringStiffnessOfItsSource) {
-    const auto tire = std::get<LinearTireDescription>(paper_car().corners[0].tire);
+    const auto tire = std::get<LinearTireDescription>(paper_car().suspensions[0].wheels[0].tire);
     const auto newton_per_degree = [&](double load) {
         const double x = load / tire.cornering_load;
         return 2 * tire.cornering_reference * x / (1 + x * x) * M_PI / 180;
@@ -126,19 +128,19 @@ TEST(MirroredCorner, IsTheLeftOneSeenInAMirror) {
                                              "inertia_kg_m2 = [0.90, 0.38, 0.62]\nproducts_kg_m2 = [0.01, 0.02, 0.03]"),
                                      "rack_axis = [0.0, 1.0, 0.0]", "rack_axis = [0.0, 0.6, 0.8]");
     const auto car = read_vehicle(folder.write("car.toml", text));
-    const CornerDescription &left = car.corners[0], &right = car.corners[1];
-    const auto& strut = std::get<MacPhersonDescription>(right.suspension);
+    const SuspensionDescription &left = car.suspensions[0], &right = car.suspensions[1];
+    const test::MacPhersonPoints strut = test::strut_points(right);
     expect_point(strut.ball_joint, {-0.0060, -0.6525, 0.1650});
     expect_point(strut.rack_end, {0.1069, -0.3247, 0.2132});
     expect_point(strut.rack_axis, {0, 0.6, 0.8}, 1e-15);
-    expect_point(right.carrier.center_of_mass, {-0.01, -0.6601, 0.31});
-    expect_point(right.carrier.inertia, left.carrier.inertia);
-    expect_point(right.carrier.products, {-0.01, -0.02, 0.03});
-    expect_point(right.wheel.center, {0, -0.7001, 0.28});
+    expect_point(right.bodies[0].body.center_of_mass, {-0.01, -0.6601, 0.31});
+    expect_point(right.bodies[0].body.inertia, left.bodies[0].body.inertia);
+    expect_point(right.bodies[0].body.products, {-0.01, -0.02, 0.03});
+    expect_point(right.wheels[0].wheel.center, {0, -0.7001, 0.28});
     // Camber leans the other wheel the other way, toe-in turns it the other way, and both still spin about +y.
-    const Point axis = left.wheel.spin_axis;
-    expect_point(right.wheel.spin_axis, {-axis[0], axis[1], -axis[2]});
-    EXPECT_GT(right.wheel.spin_axis[1], 0);
+    const Point axis = left.wheels[0].wheel.spin_axis;
+    expect_point(right.wheels[0].wheel.spin_axis, {-axis[0], axis[1], -axis[2]});
+    EXPECT_GT(right.wheels[0].wheel.spin_axis[1], 0);
 }
 
 // The shipped car's file with what the air does across left out.
@@ -158,7 +160,7 @@ TEST(VehicleFile, OtherWaysToSayTheSame) {
     text = changed(text, "frontal_area_m2 = 1.85", "#");
     text = changed(text, "name = ", "gravity_m_per_s2 = 1.62\nname = ");
     const auto car = read_vehicle(folder.write("car.toml", text));
-    expect_point(car.corners[0].wheel.spin_axis, {0.002705, 0.999924, 0.012042}, 1e-6);
+    expect_point(car.suspensions[0].wheels[0].wheel.spin_axis, {0.002705, 0.999924, 0.012042}, 1e-6);
     EXPECT_EQ(car.aerodynamics.drag_area, 0.7);
     EXPECT_EQ(car.gravity, 1.62);
 }
@@ -208,8 +210,9 @@ TEST(VehicleFile, AStrutMayBeUnsteered) {
     const TemporaryFolder folder;
     const auto car = read_vehicle(folder.write("car.toml", changed(shipped_car_text(), "rack_axis = [0.0, 1.0, 0.0]",
                                                                    "steered = false\nrack_axis = [0.0, 1.0, 0.0]")));
-    for (int i = 0; i < 2; ++i) EXPECT_FALSE(std::get<MacPhersonDescription>(car.corners[i].suspension).steered);
-    EXPECT_TRUE(std::get<MacPhersonDescription>(paper_car().corners[0].suspension).steered);
+    const Point no_drive{};
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(test::strut_points(car.suspensions[i]).rack_axis, no_drive);
+    EXPECT_NE(test::strut_points(paper_car().suspensions[0]).rack_axis, no_drive);
 }
 
 TEST(VehicleFile, OptionalPartsMayBeLeftOut) {
@@ -223,24 +226,24 @@ TEST(VehicleFile, OptionalPartsMayBeLeftOut) {
     const auto car = read_vehicle(folder.write("car.toml", text));
     EXPECT_EQ(car.aerodynamics.drag_area, 0);
     EXPECT_EQ(car.steering.rack_travel, 0);
-    EXPECT_EQ(car.corners[0].bump.rate, 0);
-    EXPECT_EQ(car.corners[0].brake.max_torque, 0);
+    EXPECT_EQ(car.suspensions[0].wheels[0].bump.rate, 0);
+    EXPECT_EQ(car.suspensions[0].wheels[0].brake.max_torque, 0);
     EXPECT_EQ(car.anti_roll_bars.size(), 1u);
 }
 
 TEST(Base, OnlyTheOverriddenKeysDiffer) {
     const auto base = paper_car(), car = read_vehicle(repository_path("vehicles/bmw_323i_digressive.toml"));
     EXPECT_EQ(car.name, "BMW 323i (E30), digressive dampers");
-    ASSERT_EQ(car.corners.size(), 4u);
+    ASSERT_EQ(car.suspensions.size(), 4u);
     EXPECT_EQ(car.chassis.mass, base.chassis.mass);
-    EXPECT_EQ(car.corners[3].spring.rate, base.corners[3].spring.rate);
-    EXPECT_EQ(car.corners[3].name, "rear_right");
-    const DamperDescription& front = car.corners[1].damper;
+    EXPECT_EQ(car.suspensions[3].springs[0].spring.rate, base.suspensions[3].springs[0].spring.rate);
+    EXPECT_EQ(car.suspensions[3].name, "rear_right");
+    const DamperDescription& front = car.suspensions[1].dampers[0].damper;
     EXPECT_THAT(front.velocity, ElementsAre(-1, -0.15, 0, 0.15, 1));
     EXPECT_DOUBLE_EQ(front.force[3] / front.velocity[3], 2826);
     EXPECT_DOUBLE_EQ(front.force[1] / front.velocity[1], 1360);
     EXPECT_NEAR((front.force[4] - front.force[3]) / 0.85, 2826 / 2., 1e-9);
-    const DamperDescription& rear = car.corners[2].damper;
+    const DamperDescription& rear = car.suspensions[2].dampers[0].damper;
     EXPECT_DOUBLE_EQ(rear.force[3] / rear.velocity[3], 2007);
     EXPECT_DOUBLE_EQ(rear.force[1] / rear.velocity[1], 967);
     EXPECT_NEAR((rear.force[1] - rear.force[0]) / 0.85, 967 / 2., 1e-9);

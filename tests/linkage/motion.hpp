@@ -1,4 +1,4 @@
-// The motion of a frame from its poses alone: what columns of B and rates in the linkage must agree with.
+// The motion of a frame from its poses alone: what columns and rates in the linkage must agree with.
 #pragma once
 
 #include "hamilcar/linkage/frame.hpp"

@@ -37,9 +37,10 @@ inline Garage garage() {
                 if (wish.road == "waves") scenario.road.waves = {{.amplitude = 0.02, .wavelength = 3}};
                 if (wish.road == "drop") {
                     car = io::read_vehicle(test::source_path("vehicles/formula.toml"));
-                    for (CornerDescription& corner : car.corners) corner.bump = corner.rebound = {};
-                    for (ComposedSpokeDescription& spoke : car.composed) {
-                        for (ComposedWheelDescription& wheel : spoke.wheels) wheel.bump = wheel.rebound = {};
+                    for (SuspensionDescription& corner : car.suspensions)
+                        corner.wheels[0].bump = corner.wheels[0].rebound = {};
+                    for (SuspensionDescription& spoke : car.suspensions) {
+                        for (SuspensionWheelDescription& wheel : spoke.wheels) wheel.bump = wheel.rebound = {};
                     }
                     scenario.initial.settle = false, scenario.initial.height = 4;
                 }

@@ -19,7 +19,7 @@ TEST(Footprint, BothOfTwoTiresAbreastCount) {
 TEST(Footprint, IsAsWideAsTheHullAllows) {
     EXPECT_NEAR(footprint(test::shipped("bmw_323i")).width(), 1.645, 0.02);
     VehicleDescription bare = test::shipped("bmw_323i");
-    const double track = 2 * bare.corners[0].wheel.center[1];
+    const double track = 2 * bare.suspensions[0].wheels[0].wheel.center[1];
     bare.hull.points.clear();
     EXPECT_NEAR(footprint(bare).width(), track + 0.195, 0.02);  // 195/60 R 14
 }

@@ -35,8 +35,8 @@ Trial made(double front_left, double rear_left) {
 
 TEST(Fishhook, TwoWheelLiftIsBothWheelsOfASide) {
     const VehicleDescription car = test::shipped_car();
-    ASSERT_GT(car.corners[0].wheel.center[1], 0);
-    ASSERT_GT(car.corners[2].wheel.center[1], 0);
+    ASSERT_GT(car.suspensions[0].wheels[0].wheel.center[1], 0);
+    ASSERT_GT(car.suspensions[2].wheels[0].wheel.center[1], 0);
     fishhook_run::Run one{.speed = 56, .side = 1}, both = one;
     fishhook_run::evaluate(car, made(0, 500), one);
     EXPECT_FALSE(one.tips);

@@ -21,7 +21,7 @@ History rolled(const VehicleDescription& truck, double from, double to, double a
         std::size_t number = 0;
         for_each_wheel(truck, [&](const auto& wheel, std::size_t unit) {
             const Point& at = wheel.wheel.center;
-            const double side = at[1] > 0 ? 1 : -1, outer = at[1] + side * 0.5 * dual_spacing(wheel);
+            const double side = at[1] > 0 ? 1 : -1, outer = at[1] + side * 0.5 * wheel.dual_spacing;
             if (history.wheel_x.size() == number) history.wheel_x.emplace_back(), history.wheel_y.emplace_back();
             history.wheel_x[number].push_back(x + at[0] - center[0]);
             history.wheel_y[number++].push_back(outer - center[1] + (unit > 0 ? aside : 0));
@@ -32,7 +32,7 @@ History rolled(const VehicleDescription& truck, double from, double to, double a
 
 // Beside the trailer's middle, where its outer tires end.
 double trailer_edge(const VehicleDescription& truck) {
-    const ComposedWheelDescription& wheel = truck.composed.back().wheels.front();
+    const SuspensionWheelDescription& wheel = truck.suspensions.back().wheels.front();
     return std::abs(wheel.wheel.center[1]) + 0.5 * wheel.dual_spacing + half_tire(truck);
 }
 

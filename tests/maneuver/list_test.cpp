@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(OnFlatRoads, AnyManeuver, testing::ValuesIn(on_flat_roa
 
 TEST(Maneuvers, FailWhereADriveOfThemHasAWrongEnergyAccount) {
     VehicleDescription car = test::shipped_car();
-    for (CornerDescription& corner : car.corners) corner.wheel.spin_inertia = 1e-6;
+    for (SuspensionDescription& corner : car.suspensions) corner.wheels[0].wheel.spin_inertia = 1e-6;
     ManeuverOptions options;
     options.keep_runs = false;
     for (const char* name : {"acceleration", "step_steer"}) {
@@ -70,7 +70,7 @@ TEST(Maneuvers, FailWhereADriveOfThemHasAWrongEnergyAccount) {
 // Linear theory finds no steady motion of a vehicle that nothing drives: that is mathematics, and no slip of the program.
 TEST(Maneuvers, TellAMotionThatIsNotThereAsNumerical) {
     VehicleDescription car = test::shipped_car();
-    for (CornerDescription& corner : car.corners) corner.drive_share = 0;
+    for (SuspensionDescription& corner : car.suspensions) corner.wheels[0].drive_share = 0;
     try {
         driven(*find_maneuver("constant_radius"), car, {});
         ADD_FAILURE() << "steady driving without drive";

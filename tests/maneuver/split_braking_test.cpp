@@ -28,10 +28,11 @@ TEST(SplitBraking, TheFirstTurnIsThatOfTheBrakesForces) {
     const Outcome outcome = driven_straight(split_braking(), car, {{"steering", 0}});
     const double pedal = complete_settings(split_braking(), car, {}).at("pedal") / 100;
     double moment = 0, inertia = car.chassis.inertia[2];
-    for (const CornerDescription& corner : car.corners) {
-        const double x = corner.wheel.center[0] - car.chassis.center_of_mass[0], y = corner.wheel.center[1];
-        inertia += corner.carrier.mass * (x * x + y * y);
-        if (y < 0) moment += pedal * corner.brake.max_torque / 0.288 * -y;  // rolling radius [m]
+    for (const SuspensionDescription& corner : car.suspensions) {
+        const double x = corner.wheels[0].wheel.center[0] - car.chassis.center_of_mass[0],
+                     y = corner.wheels[0].wheel.center[1];
+        inertia += corner.bodies[0].body.mass * (x * x + y * y);
+        if (y < 0) moment += pedal * corner.wheels[0].brake.max_torque / 0.288 * -y;  // rolling radius [m]
     }
     const double most = moment / inertia / degree;  // after one second, were there nothing against it [deg/s]
     EXPECT_LT(std::abs(figure_named(outcome, "yaw rate after 1 s")), most);

@@ -14,7 +14,8 @@ TEST(StraightBraking, MeanFullyDevelopedDecelerationOfAConstantOneIsItself) {
 }
 
 VehicleDescription without_valves(VehicleDescription car) {
-    for (CornerDescription& corner : car.corners) corner.brake.valve_command = corner.brake.valve_slope = 1;
+    for (SuspensionDescription& corner : car.suspensions)
+        corner.wheels[0].brake.valve_command = corner.wheels[0].brake.valve_slope = 1;
     return car;
 }
 
@@ -46,7 +47,8 @@ TEST(StraightBraking, ALightFootFailsTheRegulation) {
     EXPECT_FALSE(light.passed());
     // Brakes alone, no wheel locked: their torque over the rolling mass, and 0.3 m/s^2 at the most by air and tires.
     double torque = 0;
-    for (const CornerDescription& corner : shipped_car().corners) torque += 0.25 * corner.brake.max_torque;
+    for (const SuspensionDescription& corner : shipped_car().suspensions)
+        torque += 0.25 * corner.wheels[0].brake.max_torque;
     const double expected = torque / 0.288 / 1190;  // rolling radius [m], mass with turning wheels [kg]
     EXPECT_NEAR(figure_named(light, "MFDD"), expected + 0.25, 0.15);
 }
@@ -62,7 +64,8 @@ TEST(StraightBraking, TheBalanceOfTheBrakesDecidesWhichAxleLocksFirst) {
     EXPECT_FALSE(rear_first(shipped_car())) << "behind their valve";
     VehicleDescription car = without_valves(shipped_car());  // 34 percent behind, where 24 of the load are at 1 g
     EXPECT_TRUE(rear_first(car));
-    for (CornerDescription& corner : car.corners) corner.brake.max_torque = corner.wheel.center[0] > -1 ? 2050 : 450;
+    for (SuspensionDescription& corner : car.suspensions)
+        corner.wheels[0].brake.max_torque = corner.wheels[0].wheel.center[0] > -1 ? 2050 : 450;
     EXPECT_FALSE(rear_first(car));  // 18 percent
 }
 
@@ -70,9 +73,9 @@ TEST(StraightBraking, TheBalanceOfTheBrakesDecidesWhichAxleLocksFirst) {
 TEST(StraightBraking, OneLockedRearWheelIsNotALockedAxle) {
     const auto verdict_of = [](double front, double rear_left, double rear_right) {
         VehicleDescription car = without_valves(shipped_car());
-        for (CornerDescription& corner : car.corners) {
-            const Point& at = corner.wheel.center;
-            corner.brake.max_torque = at[0] > -1 ? front : at[1] > 0 ? rear_left : rear_right;
+        for (SuspensionDescription& corner : car.suspensions) {
+            const Point& at = corner.wheels[0].wheel.center;
+            corner.wheels[0].brake.max_torque = at[0] > -1 ? front : at[1] > 0 ? rear_left : rear_right;
         }
         const Outcome outcome = driven_straight(straight_braking(), car);
         const double difference = figure_named(outcome, "lock of the rear axles, slow pedal") -
@@ -97,7 +100,7 @@ TEST(StraightBraking, OneLockedRearWheelIsNotALockedAxle) {
 TEST(StraightBraking, RefusesAndStops) {
     VehicleDescription car = shipped_car();
     EXPECT_TRUE(straight_braking().obstacle(car).empty());
-    for (CornerDescription& corner : car.corners) corner.brake.max_torque = 0;
+    for (SuspensionDescription& corner : car.suspensions) corner.wheels[0].brake.max_torque = 0;
     EXPECT_FALSE(straight_braking().obstacle(car).empty());
     expect_bad_settings(straight_braking(), {{"pedal", 150}});
     expect_bad_settings(straight_braking(), {{"peddle", 50}});

@@ -71,8 +71,7 @@ TEST(Trial, TheOuterOfTwoTiresIsSeen) {
     std::size_t number = 0;
     for_each_wheel(truck, [&](const auto& wheel, std::size_t) {
         const double middle = wheel.wheel.center[1];
-        EXPECT_NEAR(h.wheel_y[number][0], middle + std::copysign(0.5 * dual_spacing(wheel), middle), 0.02)
-            << wheel.name;
+        EXPECT_NEAR(h.wheel_y[number][0], middle + std::copysign(0.5 * wheel.dual_spacing, middle), 0.02) << wheel.name;
         EXPECT_NEAR(h.wheel_x[number][0], wheel.wheel.center[0], 0.05) << wheel.name;
         ++number;
     });
@@ -96,7 +95,7 @@ struct Offset {
 Offset offset(const VehicleDescription& truck) {
     const Point& center = truck.chassis.center_of_mass;
     double mass = truck.chassis.mass, back = 0, below = 0;
-    for (const ComposedSpokeDescription& spoke : truck.composed) {
+    for (const SuspensionDescription& spoke : truck.suspensions) {
         if (spoke.unit > 0) continue;
         for (const auto& [part, body] : spoke.bodies) {
             mass += body.mass;
@@ -178,7 +177,7 @@ TEST(Trial, TellsALinkageThatCameApartFromAVehicleThatFellOver) {
 // Wheels without inertia spin up and down within a step: the drive goes on, but with numbers that no vehicle has.
 TEST(Trial, WhoseEnergyAccountIsWrongCountsAsNumericalEnd) {
     VehicleDescription car = test::shipped("bmw_323i");
-    for (CornerDescription& corner : car.corners) corner.wheel.spin_inertia = 1e-6;
+    for (SuspensionDescription& corner : car.suspensions) corner.wheels[0].wheel.spin_inertia = 1e-6;
     const Trial trial = drive(car, driving_at(car, {}, 20, 2));
     EXPECT_EQ(trial.stopped, Stopped::numerical);
     EXPECT_NE(trial.trouble.find("energy account is off by"), std::string::npos) << trial.trouble;

@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "hamilcar/math/motion.hpp"
 #include "hamilcar/math/rotation.hpp"
+#include "hamilcar/math/spatial.hpp"
 #include "support/difference.hpp"
 
 namespace hamilcar {
@@ -13,12 +13,7 @@ namespace {
 constexpr double exact = 1e-14;
 
 Spatial<double> rotation_about(const Vec3<double>& p, const Vec3<double>& e) {
-    return referred<double>(Turn<double>{{}, e}, p);
-}
-// v x m by the motions that know their zeros, of which these have none.
-Spatial<double> cross_motion(const Spatial<double>& v, const Spatial<double>& m) {
-    const auto screw = [](const Spatial<double>& s) { return Screw<double>{s.head<3>(), s.tail<3>()}; };
-    return referred<double>(carried(screw(v), screw(m)), Vec3<double>::Zero());
+    return spatial<double>(p.cross(e), e);
 }
 
 class Spatials : public testing::Test {
@@ -36,23 +31,7 @@ TEST_F(Spatials, MotionsMoveTheirPoints) {
     const Vec3<double> p = vector(), e = vector().normalized(), y = vector();
     const auto turned = [&](double angle) { return Vec3<double>(p + axis_rotation<double>(e, angle) * (y - p)); };
     EXPECT_LE((velocity_at<double>(rotation_about(p, e), y) - test::derivative(turned, 0.0)).norm(), 1e-11);
-    EXPECT_LE((velocity_of(Slide<double>{e, {}}, y) - e).norm(), exact);
-}
-
-// A zero half is left out of the arithmetic and of the type, and changes no result.
-TEST_F(Spatials, MotionsThatKnowTheirZerosAreTheSameMotions) {
-    const Vec3<double> e = vector(), l = vector(), y = vector(), p = vector();
-    const Turn<double> turn{{}, e};
-    const Slide<double> slide{l, {}};
-    const Screw<double> both = sum(turn, slide), full{Vec3<double>::Zero(), e};
-    static_assert(std::is_same_v<decltype(carried(turn, turn)), Turn<double>>);
-    static_assert(std::is_same_v<decltype(carried(turn, slide)), Slide<double>>);
-    static_assert(std::is_same_v<decltype(carried(slide, slide)), Rest>);
-    static_assert(std::is_same_v<decltype(sum(Rest{}, turn)), Turn<double>>);
-    EXPECT_LE((velocity_of(both, y) - (l + e.cross(y))).norm(), exact);
-    EXPECT_LE((referred<double>(carried(turn, slide), p) - referred<double>(carried(full, slide), p)).norm(), exact);
-    EXPECT_LE((referred<double>(carried(slide, turn), p) - referred<double>(carried(slide, full), p)).norm(), exact);
-    EXPECT_LE((referred<double>(scaled(both, 2.0), p) - 2 * referred<double>(both, p)).norm(), exact);
+    EXPECT_LE((velocity_at<double>(spatial<double>(e, Vec3<double>::Zero()), y) - e).norm(), exact);
 }
 
 TEST_F(Spatials, ForceTimesMotionIsForceTimesVelocityOfItsPoint) {
@@ -66,10 +45,11 @@ TEST_F(Spatials, ForceTimesMotionIsForceTimesVelocityOfItsPoint) {
 TEST_F(Spatials, CrossProductsAreDual) {
     for (int i = 0; i < 20; ++i) {
         const Spatial<double> v = six(), m = six(), f = six(), w = six();
-        EXPECT_NEAR(f.dot(cross_motion(v, m)), -cross_force<double>(v, f).dot(m), exact);
-        EXPECT_LE((cross_motion(v, m) + cross_motion(m, v)).norm(), exact);
-        const Spatial<double> jacobi = cross_motion(v, cross_motion(m, w)) + cross_motion(m, cross_motion(w, v)) +
-                                       cross_motion(w, cross_motion(v, m));
+        EXPECT_NEAR(f.dot(cross_motion<double>(v, m)), -cross_force<double>(v, f).dot(m), exact);
+        EXPECT_LE((cross_motion<double>(v, m) + cross_motion<double>(m, v)).norm(), exact);
+        const Spatial<double> jacobi = cross_motion<double>(v, cross_motion<double>(m, w)) +
+                                       cross_motion<double>(m, cross_motion<double>(w, v)) +
+                                       cross_motion<double>(w, cross_motion<double>(v, m));
         EXPECT_LE(jacobi.norm(), exact);
     }
 }
@@ -83,7 +63,7 @@ TEST_F(Spatials, CrossProductsAreRatesOfWhatIsCarriedAlong) {
         const auto carried = [&](double t) { return Vec3<double>(R(t) * p + t * v.head<3>()); };
         const auto screw = [&](double t) { return rotation_about(carried(t), R(t) * e); };
         const auto wrench = [&](double t) { return force_at<double>(carried(t), R(t) * f); };
-        EXPECT_LE((cross_motion(v, screw(0)) - test::derivative(screw, 0.0)).norm(), 1e-11);
+        EXPECT_LE((cross_motion<double>(v, screw(0)) - test::derivative(screw, 0.0)).norm(), 1e-11);
         EXPECT_LE((cross_force<double>(v, wrench(0)) - test::derivative(wrench, 0.0)).norm(), 1e-11);
     }
 }

@@ -6,24 +6,24 @@
 
 namespace hamilcar::oracle {
 
-inline TreeState composed_state_of(const Sample& s, std::size_t i) {
-    const ComposedSpoke<double>& spoke = s.model.vehicle.composed[i];
-    const ComposedVelocity<double>& velocity = s.velocity.composed.spokes[i];
-    const auto state = spoke.state(s.state.values.data());
-    ComposedRates<double> rates;
-    spoke.linkage.find_rates(velocity.at, velocity.own.V_rate, s.input.rack, rates);
-    const auto count = static_cast<std::size_t>(spoke.linkage.nq());
+inline TreeState tree_state_of(const Sample& s, std::size_t i) {
+    const Suspension<double>& suspension = s.model.vehicle.suspensions[i];
+    const SuspensionVelocity<double>& velocity = s.velocity.suspensions[i];
+    const auto state = suspension.state(s.state.values.data());
+    LinkageRates<double> rates;
+    suspension.linkage.find_rates(velocity.at, velocity.own.V_rate, s.input.rack, rates);
+    const auto count = static_cast<std::size_t>(suspension.linkage.nq());
     TreeState tree{std::vector<double>(count), std::vector<double>(rates.q.begin(), rates.q.begin() + count), {}};
-    for (std::size_t k = 0; k < spoke.linkage.independent.size(); ++k)
-        tree.coordinates[static_cast<std::size_t>(spoke.linkage.independent[k])] = state.independent[k];
-    for (std::size_t k = 0; k < spoke.linkage.dependent.size(); ++k)
-        tree.coordinates[static_cast<std::size_t>(spoke.linkage.dependent[k])] = state.dependent[k];
-    for (std::size_t w = 0; w < spoke.wheels.size(); ++w) {
-        const auto wheel = spoke.wheel_state(static_cast<int>(w), s.state.values.data());
+    for (std::size_t k = 0; k < suspension.linkage.independent.size(); ++k)
+        tree.coordinates[static_cast<std::size_t>(suspension.linkage.independent[k])] = state.independent[k];
+    for (std::size_t k = 0; k < suspension.linkage.dependent.size(); ++k)
+        tree.coordinates[static_cast<std::size_t>(suspension.linkage.dependent[k])] = state.dependent[k];
+    for (std::size_t w = 0; w < suspension.wheels.size(); ++w) {
+        const auto wheel = suspension.wheel_state(static_cast<int>(w), s.state.values.data());
         WheelState& to = tree.wheels.emplace_back();
-        to.spin = s.momenta.composed.spokes[i].wheels[w].spin;
+        to.spin = s.momenta.suspensions[i].wheels[w].spin;
         to.b = wheel.brake_windup;
-        for (int k = 0; k < spoke.wheels[w].tires; ++k)
+        for (int k = 0; k < suspension.wheels[w].tires; ++k)
             to.tires.push_back({wheel.deflection[2 * k], wheel.deflection[2 * k + 1]});
     }
     return tree;
@@ -32,7 +32,7 @@ inline TreeState composed_state_of(const Sample& s, std::size_t i) {
 inline HitchState hitch_state_of(const Sample& s, std::size_t i) {
     const Trailer<double>& trailer = s.model.vehicle.trailers[i];
     const double* angles = s.state.values.data() + trailer.offset;
-    const auto& rates = s.velocity.composed.trailers[i].own.V_rate;
+    const auto& rates = s.velocity.trailers[i].own.V_rate;
     const int n = trailer.freedoms();
     return {std::vector<double>(angles, angles + n), std::vector<double>(rates.begin(), rates.begin() + n)};
 }
@@ -41,7 +41,7 @@ inline HitchState hitch_state_of(const Sample& s, std::size_t i) {
 inline Vec3<double> ground_point(const Sample& s, std::size_t unit, const Point& point) {
     Vec3<double> at(point.data());
     for (std::size_t tow; unit > 0; unit = tow) {
-        at = s.velocity.composed.trailers[unit - 1].pose.point(at);
+        at = s.velocity.trailers[unit - 1].pose.point(at);
         tow = static_cast<std::size_t>(s.model.vehicle.trailers[unit - 1].tow);
     }
     return s.state.position() + s.velocity.R_GC * at;
@@ -57,18 +57,8 @@ inline CarState state_of(const Simulation& simulation) {
         car.angular_velocity[i] = R.row(static_cast<int>(i)).dot(s.velocity.hub.tail<3>());
         for (std::size_t j = 0; j < 3; ++j) car.rotation[3 * i + j] = R(static_cast<int>(i), static_cast<int>(j));
     }
-    for (int i = 0; i < simulation.model().vehicle.spoke_count(); ++i) {
-        const auto spoke = s.state.spoke(i);
-        const auto& momenta = s.momenta.spokes[static_cast<std::size_t>(i)];
-        car.corners.push_back({.independent = spoke.independent[0],
-                               .independent_rate = momenta.V_rate[0],
-                               .spin = momenta.forces.spin,
-                               .u = spoke.deflection_x,
-                               .v = spoke.deflection_y,
-                               .b = spoke.brake_windup});
-    }
-    for (std::size_t i = 0; i < simulation.model().vehicle.composed.size(); ++i)
-        car.composed.push_back(composed_state_of(s, i));
+    for (std::size_t i = 0; i < simulation.model().vehicle.suspensions.size(); ++i)
+        car.suspensions.push_back(tree_state_of(s, i));
     for (std::size_t i = 0; i < simulation.model().vehicle.trailers.size(); ++i)
         car.trailers.push_back(hitch_state_of(s, i));
     return car;

@@ -20,14 +20,24 @@ Eigen::Map<Vector3d> vector_at(double* first) {
     return Eigen::Map<Vector3d>(first);
 }
 
+// A ball's quaternion, and its angular velocity in the axes that it has turned, as angles about z, x', y''.
+void add_angles(const double* ball, const double* turning, TreeState& to) {
+    RowMajor R;
+    mju_quat2Mat(R.data(), ball);
+    const double x = std::asin(R(2, 1)), y = std::atan2(-R(2, 0), R(2, 2));
+    const double z_rate = (std::cos(y) * turning[2] - std::sin(y) * turning[0]) / std::cos(x);
+    to.coordinates = {std::atan2(-R(0, 1), R(1, 1)), x, y};
+    to.rates = {z_rate, std::cos(y) * turning[0] + std::sin(y) * turning[2], turning[1] - std::sin(x) * z_rate};
+}
+
 }  // namespace
 
 struct MujocoCar::Engine {
     Engine(const VehicleDescription& description, const Road& road, const MujocoOptions& options);
 
-    void close_loops(const CornerIndices& at);
-    void set_corner(const CornerIndices& at, const Corner& values);
-    Corner corner(const CornerIndices& at) const;
+    void close_loops(const SuspensionIndices& at);
+    void set_suspension(const SuspensionIndices& at, const TreeState& values);
+    TreeState suspension(const SuspensionIndices& at) const;
     void impose_rack();
     void step(double time, const std::function<Inputs(double)>& inputs_at);
 
@@ -50,7 +60,7 @@ struct MujocoCar::Engine {
     Inputs inputs;
     ModelPointer model;
     std::unique_ptr<mjData, void (*)(mjData*)> data;
-    std::vector<CornerIndices> corners;
+    std::vector<SuspensionIndices> suspensions;
     const std::function<Inputs(double)>* inputs_at = nullptr;  // of the step under way
     double step_start = 0;
     CarMotion motion;           // of the evaluation under way
@@ -65,9 +75,10 @@ MujocoCar::Engine::Engine(const VehicleDescription& car, const Road& its_road, c
       road(its_road),
       model(load_model(write_model(car, options))),
       data(mj_makeData(model.get()), mj_deleteData),
-      rates(3 * car.corners.size()) {
-    for (const CornerDescription& corner : description.corners) corners.push_back(find_corner(*model, corner));
-    motion.corners.resize(corners.size());
+      rates(3 * car.suspensions.size()) {
+    for (const SuspensionDescription& suspension : description.suspensions)
+        suspensions.push_back(find_suspension(*model, suspension));
+    motion.suspensions.resize(suspensions.size());
     mjcb_control = control;
     mjcb_act_dyn = activation_rate;
     // Otherwise it writes a log into the working directory. `step` looks for what matters.
@@ -75,7 +86,7 @@ MujocoCar::Engine::Engine(const VehicleDescription& car, const Road& its_road, c
 }
 
 // Newton's method on the ball's rotation, with the chassis at the origin; then the ball's rates.
-void MujocoCar::Engine::close_loops(const CornerIndices& at) {
+void MujocoCar::Engine::close_loops(const SuspensionIndices& at) {
     double* const ball = data->qpos + at.ball_q;
     for (int iteration = 0; iteration < 50; ++iteration) {
         mj_kinematics(model.get(), data.get());
@@ -94,32 +105,32 @@ void MujocoCar::Engine::close_loops(const CornerIndices& at) {
         vector_at(data->qvel + at.ball_v) = -by_ball.lu().solve(others);
         return;
     }
-    throw std::runtime_error("the linkage does not reach this strut length and rack displacement");
+    throw std::runtime_error("the linkage does not reach this slide and rack displacement");
 }
 
-void MujocoCar::Engine::set_corner(const CornerIndices& at, const Corner& values) {
-    data->qpos[at.independent_q] = values.independent - at.design_length;
-    data->qvel[at.independent_v] = values.independent_rate;
-    data->qvel[at.spin_v] = values.spin;
-    data->act[at.states] = values.u;
-    data->act[at.states + 1] = values.v;
-    data->act[at.states + 2] = values.b;
-    if (at.ball_q >= 0) close_loops(at);
+void MujocoCar::Engine::set_suspension(const SuspensionIndices& at, const TreeState& values) {
+    const WheelState& wheel = values.wheels.at(0);
+    data->qpos[at.independent_q] = values.coordinates.at(at.independent());
+    data->qvel[at.independent_v] = values.rates.at(at.independent());
+    data->qvel[at.spin_v] = wheel.spin;
+    data->act[at.states] = wheel.tires.at(0).u;
+    data->act[at.states + 1] = wheel.tires.at(0).v;
+    data->act[at.states + 2] = wheel.b;
+    if (at.is_strut()) close_loops(at);
 }
 
-Corner MujocoCar::Engine::corner(const CornerIndices& at) const {
-    Corner values;
-    values.independent = at.design_length + data->qpos[at.independent_q];
-    values.independent_rate = data->qvel[at.independent_v];
-    values.spin = data->qvel[at.spin_v];
-    values.u = data->act[at.states];
-    values.v = data->act[at.states + 1];
-    values.b = data->act[at.states + 2];
+TreeState MujocoCar::Engine::suspension(const SuspensionIndices& at) const {
+    TreeState values;
+    if (at.is_strut()) add_angles(data->qpos + at.ball_q, data->qvel + at.ball_v, values);
+    values.coordinates.push_back(data->qpos[at.independent_q]);
+    values.rates.push_back(data->qvel[at.independent_v]);
+    const double* const states = data->act + at.states;
+    values.wheels.push_back({data->qvel[at.spin_v], states[2], {{states[0], states[1]}}});
     return values;
 }
 
 void MujocoCar::Engine::impose_rack() {
-    for (const CornerIndices& at : corners) {
+    for (const SuspensionIndices& at : suspensions) {
         if (at.rack_q < 0) continue;
         data->qpos[at.rack_q] = inputs.rack;
         data->qvel[at.rack_v] = inputs.rack_rate;
@@ -160,19 +171,19 @@ void MujocoCar::Engine::evaluate() {
     if (data->time == step_start) note_opening();
     inputs = (*inputs_at)(data->time);
     motion.chassis = body(chassis);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const CornerIndices& at = corners[i];
+    for (std::size_t i = 0; i < suspensions.size(); ++i) {
+        const SuspensionIndices& at = suspensions[i];
         const double* const states = data->act + at.states;
-        motion.corners[i] = {};
-        motion.corners[i].carrier = body(at.carrier);
-        motion.corners[i].spin = data->qvel[at.spin_v];
-        motion.corners[i].states = {states[0], states[1], states[2]};
+        motion.suspensions[i] = {};
+        motion.suspensions[i].carrier = body(at.carrier);
+        motion.suspensions[i].spin = data->qvel[at.spin_v];
+        motion.suspensions[i].states = {states[0], states[1], states[2]};
     }
     add_forces(description, road, inputs, motion);
     load(chassis, motion.chassis.origin, motion.chassis.force, motion.chassis.moment);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const CornerIndices& at = corners[i];
-        const CornerMotion& wheel = motion.corners[i];
+    for (std::size_t i = 0; i < suspensions.size(); ++i) {
+        const SuspensionIndices& at = suspensions[i];
+        const SuspensionMotion& wheel = motion.suspensions[i];
         load(at.carrier, wheel.carrier.origin, wheel.carrier.force, wheel.carrier.moment);
         load(at.wheel, wheel.carrier.origin, wheel.wheel_force, wheel.wheel_moment);
         data->qfrc_applied[at.spin_v] = wheel.spin_torque;
@@ -190,9 +201,7 @@ void MujocoCar::Engine::note_opening() {
 
 MujocoCar::MujocoCar(const VehicleDescription& description, const Road& road, const MujocoOptions& options)
     : engine_(std::make_unique<Engine>(description, road, options)) {
-    CarState design;
-    for (const CornerIndices& at : engine_->corners) design.corners.push_back({at.design_length});
-    set_state(design);
+    set_state(state());  // everything is at design yet
 }
 
 MujocoCar::~MujocoCar() = default;
@@ -207,7 +216,8 @@ void MujocoCar::set_state(const CarState& values) {
     mj_resetData(engine.model.get(), &data);
     engine.worst_opening = 0;
     engine.impose_rack();
-    for (std::size_t i = 0; i < engine.corners.size(); ++i) engine.set_corner(engine.corners[i], values.corners.at(i));
+    for (std::size_t i = 0; i < engine.suspensions.size(); ++i)
+        engine.set_suspension(engine.suspensions[i], values.suspensions.at(i));
     std::copy(values.position.begin(), values.position.end(), data.qpos);
     mju_mat2Quat(data.qpos + 3, values.rotation.data());
     std::copy(values.velocity.begin(), values.velocity.end(), data.qvel);
@@ -221,7 +231,7 @@ CarState MujocoCar::state() const {
     std::copy_n(data.qvel, 3, values.velocity.begin());
     mju_quat2Mat(values.rotation.data(), data.qpos + 3);
     mju_rotVecMat(values.angular_velocity.data(), data.qvel + 3, values.rotation.data());
-    for (const CornerIndices& at : engine_->corners) values.corners.push_back(engine_->corner(at));
+    for (const SuspensionIndices& at : engine_->suspensions) values.suspensions.push_back(engine_->suspension(at));
     return values;
 }
 

@@ -49,8 +49,8 @@ public:
     // For `set_state`; zero until told. `advance` leaves its last inputs here.
     void set_inputs(const Inputs& inputs);
 
-    // Closes the loops for the strut lengths, their rates and the current rack input. Throws std::runtime_error where
-    // the linkage does not reach, std::out_of_range if a corner is missing.
+    // Closes the loops for the struts' slides, their rates and the current rack input, whatever their angles are. Throws
+    // std::runtime_error where the linkage does not reach, std::out_of_range if a suspension is missing.
     void set_state(const CarState& state);
 
     CarState state() const;

@@ -1,8 +1,9 @@
 // The page docs/models/forces.md once more, all but the tire, on bodies as vectors in ground axes.
 
-#include "tests/oracle/mujoco_parts.hpp"
-
 #include <algorithm>
+
+#include "support/hardpoints.hpp"
+#include "tests/oracle/mujoco_parts.hpp"
 
 namespace hamilcar::oracle {
 
@@ -50,27 +51,28 @@ private:
     double design_;
 };
 
-void add_spring_and_damper(const CornerDescription& corner, Body& carrier, Body& chassis) {
-    const auto line = [&](const Point& on_carrier, const Point& on_chassis) {
-        return Line(corner.wheel.center, on_carrier, on_chassis, carrier, chassis);
-    };
-    const auto spring_force = [&](const Line& at) {
-        return corner.spring.force_at_design + corner.spring.rate * at.shortening();
-    };
-    if (const auto* strut = std::get_if<MacPhersonDescription>(&corner.suspension)) {
-        Line both = line(strut->slide_point, strut->strut_top);
-        both.push_apart(spring_force(both) - damper_force(corner.damper, both.rate()));
-        return;
+// From the carrier to the chassis. What acts along a strut's slide acts between slide point and top.
+Line line_of(const SuspensionDescription& suspension, const LineDescription& line, Body& carrier, Body& chassis) {
+    const Point& center = suspension.wheels[0].wheel.center;
+    if (!line.coordinate) return Line(center, line.on_part, line.on_base, carrier, chassis);
+    const test::MacPhersonPoints strut = test::strut_points(suspension);
+    return Line(center, strut.slide_point, strut.strut_top, carrier, chassis);
+}
+
+void add_springs_and_dampers(const SuspensionDescription& suspension, Body& carrier, Body& chassis) {
+    for (const auto& [name, where, spring] : suspension.springs) {
+        Line line = line_of(suspension, where, carrier, chassis);
+        line.push_apart(spring.force_at_design + spring.rate * line.shortening());
     }
-    const auto& arm = std::get<SemiTrailingArmDescription>(corner.suspension);
-    Line spring = line(arm.spring_arm, arm.spring_body), damper = line(arm.damper_arm, arm.damper_body);
-    spring.push_apart(spring_force(spring));
-    damper.push_apart(-damper_force(corner.damper, damper.rate()));
+    for (const auto& [name, where, damper] : suspension.dampers) {
+        Line line = line_of(suspension, where, carrier, chassis);
+        line.push_apart(-damper_force(damper, line.rate()));
+    }
 }
 
 // Wheel center above its design height, in vehicle axes.
-double travel(const CornerDescription& corner, const Body& carrier, const Body& chassis) {
-    return chassis.rotation.col(2).dot(carrier.origin - chassis.origin) - corner.wheel.center[2];
+double travel(const SuspensionDescription& suspension, const Body& carrier, const Body& chassis) {
+    return chassis.rotation.col(2).dot(carrier.origin - chassis.origin) - suspension.wheels[0].wheel.center[2];
 }
 
 // A force up along vehicle z on the wheel center, with its reaction on the chassis.
@@ -80,13 +82,14 @@ void lift(double force, Body& carrier, Body& chassis) {
     chassis.push(carrier.origin, -up);
 }
 
-void add_drive_and_brake(const CornerDescription& corner, const Inputs& inputs, CornerMotion& motion, Body& chassis) {
-    const Vector3d spin_axis = motion.carrier.rotation * to_vector(corner.wheel.spin_axis).normalized();
-    const Vector3d drive = corner.drive_share * inputs.drive_torque * spin_axis;
+void add_drive_and_brake(const SuspensionDescription& suspension, const Inputs& inputs, SuspensionMotion& motion,
+                         Body& chassis) {
+    const Vector3d spin_axis = motion.carrier.rotation * to_vector(suspension.wheels[0].wheel.spin_axis).normalized();
+    const Vector3d drive = suspension.wheels[0].drive_share * inputs.drive_torque * spin_axis;
     motion.wheel_moment += drive;
     chassis.moment -= drive;
 
-    const BrakeDescription& brake = corner.brake;
+    const BrakeDescription& brake = suspension.wheels[0].brake;
     const double command = inputs.brake, past_valve = std::max(command - brake.valve_command, 0.0);
     const double limit = brake.max_torque * (command - (1 - brake.valve_slope) * past_valve);
     const double windup_limit = brake.windup_stiffness > 0 ? limit / brake.windup_stiffness : 0;  // 0: no brake
@@ -118,19 +121,20 @@ void add_air(const AerodynamicsDescription& air, Body& chassis) {
 
 void add_forces(const VehicleDescription& description, const Road& road, const Inputs& inputs, CarMotion& car) {
     Body& chassis = car.chassis;
-    for (std::size_t i = 0; i < car.corners.size(); ++i) {
-        const CornerDescription& corner = description.corners[i];
-        CornerMotion& motion = car.corners[i];
-        add_spring_and_damper(corner, motion.carrier, chassis);
-        const double z = travel(corner, motion.carrier, chassis);
-        lift(stop_force(corner.rebound, -z) - stop_force(corner.bump, z), motion.carrier, chassis);
-        add_tire(corner, road, motion);
-        add_drive_and_brake(corner, inputs, motion, chassis);
+    for (std::size_t i = 0; i < car.suspensions.size(); ++i) {
+        const SuspensionDescription& suspension = description.suspensions[i];
+        SuspensionMotion& motion = car.suspensions[i];
+        add_springs_and_dampers(suspension, motion.carrier, chassis);
+        const double z = travel(suspension, motion.carrier, chassis);
+        lift(stop_force(suspension.wheels[0].rebound, -z) - stop_force(suspension.wheels[0].bump, z), motion.carrier,
+             chassis);
+        add_tire(suspension, road, motion);
+        add_drive_and_brake(suspension, inputs, motion, chassis);
     }
     for (const AntiRollBarDescription& bar : description.anti_roll_bars) {
-        Body &left = car.corners[bar.left].carrier, &right = car.corners[bar.right].carrier;
-        const double force = bar.rate * (travel(description.corners[bar.left], left, chassis) -
-                                         travel(description.corners[bar.right], right, chassis));
+        Body &left = car.suspensions[bar.left].carrier, &right = car.suspensions[bar.right].carrier;
+        const double force = bar.rate * (travel(description.suspensions[bar.left], left, chassis) -
+                                         travel(description.suspensions[bar.right], right, chassis));
         lift(-force, left, chassis);
         lift(force, right, chassis);
     }

@@ -2,12 +2,13 @@
 // control arm is two massless rods from the ball joint to its bushes, the tie rod a third one to a rack on a slide. The
 // rods are tendons, held at their lengths. Whatever pushes comes from outside, at three user states to a wheel.
 
-#include "tests/oracle/mujoco_parts.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <stdexcept>
+
+#include "support/hardpoints.hpp"
+#include "tests/oracle/mujoco_parts.hpp"
 
 namespace hamilcar::oracle {
 
@@ -17,6 +18,10 @@ namespace {
 // leave two bodies that can exist. A disc without thickness has 0.5 here.
 constexpr double wheel_mass_share = 0.1;
 constexpr double transverse_over_spin_inertia = 0.55;
+
+bool is_strut(const SuspensionDescription& suspension) {
+    return suspension.keyword == "macpherson";
+}
 
 // What is at a distance from its own center of mass, per mass.
 Matrix3d steiner(const Vector3d& arm) {
@@ -38,25 +43,26 @@ Matrix3d inertia_of(const BodyDescription& body) {
     return Matrix3d{{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}};
 }
 
-Vector3d spin_axis(const CornerDescription& corner) {
-    return to_vector(corner.wheel.spin_axis).normalized();
+Vector3d spin_axis(const SuspensionDescription& suspension) {
+    return to_vector(suspension.wheels[0].wheel.spin_axis).normalized();
 }
 
-std::string wheel_inertial(const CornerDescription& corner) {
-    const Vector3d axis = spin_axis(corner);
+std::string wheel_inertial(const SuspensionDescription& suspension) {
+    const Vector3d axis = spin_axis(suspension);
     const Matrix3d along = axis * axis.transpose();
-    return inertial(
-        wheel_mass_share * corner.carrier.mass, Vector3d::Zero(),
-        corner.wheel.spin_inertia * (along + transverse_over_spin_inertia * (Matrix3d::Identity() - along)));
+    return inertial(wheel_mass_share * suspension.bodies[0].body.mass, Vector3d::Zero(),
+                    suspension.wheels[0].wheel.spin_inertia *
+                        (along + transverse_over_spin_inertia * (Matrix3d::Identity() - along)));
 }
 
 // What the wheel's body leaves of the carrier, in a frame at the wheel center.
-std::string carrier_inertial(const CornerDescription& corner) {
-    const BodyDescription& body = corner.carrier;
-    const Vector3d arm = to_vector(body.center_of_mass) - to_vector(corner.wheel.center);
+std::string carrier_inertial(const SuspensionDescription& suspension) {
+    const BodyDescription& body = suspension.bodies[0].body;
+    const Vector3d arm = to_vector(body.center_of_mass) - to_vector(suspension.wheels[0].wheel.center);
     const double mass = (1 - wheel_mass_share) * body.mass;
     const Vector3d center = arm * body.mass / mass;
-    const Matrix3d wheel = transverse_over_spin_inertia * corner.wheel.spin_inertia * steiner(spin_axis(corner));
+    const Matrix3d wheel =
+        transverse_over_spin_inertia * suspension.wheels[0].wheel.spin_inertia * steiner(spin_axis(suspension));
     return inertial(mass, center, inertia_of(body) + body.mass * steiner(arm) - wheel - mass * steiner(center));
 }
 
@@ -72,35 +78,47 @@ std::string joint(const std::string& name, const char* type, const Vector3d& at,
 }
 
 // MuJoCo moves a body by its joints in turn: the slide's axis has turned with the ball, so it always passes through T.
-std::string strut_joints(const CornerDescription& corner, const MacPhersonDescription& strut) {
-    const Vector3d top = to_vector(strut.strut_top) - to_vector(corner.wheel.center);
-    return joint(corner.name + "_ball", "ball", top, Vector3d::UnitZ()) +
-           joint(corner.name, "slide", top, to_vector(strut.slide_point) - to_vector(strut.strut_top));
+std::string strut_joints(const SuspensionDescription& suspension, const test::MacPhersonPoints& strut) {
+    const Vector3d top = to_vector(strut.strut_top) - to_vector(suspension.wheels[0].wheel.center);
+    return joint(suspension.name + "_ball", "ball", top, Vector3d::UnitZ()) +
+           joint(suspension.name, "slide", top, to_vector(strut.slide_point) - to_vector(strut.strut_top));
 }
 
 // The hinge's axis points to the left on both sides: a trailing wheel then rises with a positive angle.
-std::string arm_joint(const CornerDescription& corner, const SemiTrailingArmDescription& arm) {
+std::string arm_joint(const SuspensionDescription& suspension, const test::SemiTrailingArmPoints& arm) {
     Vector3d axis = to_vector(arm.outer_bush) - to_vector(arm.inner_bush);
     if (axis[1] < 0) axis = -axis;
-    return joint(corner.name, "hinge", to_vector(arm.inner_bush) - to_vector(corner.wheel.center), axis);
+    return joint(suspension.name, "hinge", to_vector(arm.inner_bush) - to_vector(suspension.wheels[0].wheel.center),
+                 axis);
 }
 
-std::string write_bodies(const CornerDescription& corner) {
-    const std::string& name = corner.name;
-    const Vector3d center = to_vector(corner.wheel.center);
-    const auto* strut = std::get_if<MacPhersonDescription>(&corner.suspension);
+// The paper's two suspensions, steered struts and arms.
+void check(const SuspensionDescription& suspension) {
+    const bool strut = is_strut(suspension);
+    const auto reject = [&](bool wrong, const char* complaint) {
+        if (wrong) throw std::invalid_argument(suspension.name + ": this engine " + complaint);
+    };
+    reject(!strut && suspension.keyword != "semi_trailing_arm", "knows struts and semi-trailing arms alone");
+    reject(suspension.unit != 0, "has no trailers");
+    reject(strut && to_vector(test::strut_points(suspension).rack_axis).isZero(), "moves every strut's rack end");
+}
+
+std::string write_bodies(const SuspensionDescription& suspension) {
+    const std::string& name = suspension.name;
+    const Vector3d center = to_vector(suspension.wheels[0].wheel.center);
+    const test::PaperPoints points = test::paper_points(suspension);
+    const auto* strut = std::get_if<test::MacPhersonPoints>(&points);
     std::string out =
-        fmt::format(R"(<body name="{}" pos="{}">)", name, text(center)) + "\n" + carrier_inertial(corner) + "\n";
+        fmt::format(R"(<body name="{}" pos="{}">)", name, text(center)) + "\n" + carrier_inertial(suspension) + "\n";
     if (strut) {
-        out += strut_joints(corner, *strut) + site(name + "_ball_joint", to_vector(strut->ball_joint) - center) +
+        out += strut_joints(suspension, *strut) + site(name + "_ball_joint", to_vector(strut->ball_joint) - center) +
                site(name + "_tie_rod", to_vector(strut->tie_rod_outer) - center);
     } else {
-        out += arm_joint(corner, std::get<SemiTrailingArmDescription>(corner.suspension));
+        out += arm_joint(suspension, std::get<test::SemiTrailingArmPoints>(points));
     }
-    out += fmt::format(R"(<body name="{}_wheel">)", name) + "\n" + wheel_inertial(corner) + "\n" +
-           joint(name + "_wheel", "hinge", Vector3d::Zero(), spin_axis(corner)) + "</body>\n</body>\n";
+    out += fmt::format(R"(<body name="{}_wheel">)", name) + "\n" + wheel_inertial(suspension) + "\n" +
+           joint(name + "_wheel", "hinge", Vector3d::Zero(), spin_axis(suspension)) + "</body>\n</body>\n";
     if (!strut) return out;
-    if (!strut->steered) throw std::invalid_argument(name + ": this engine moves every strut's rack end");
     out +=
         site(name + "_arm_front", to_vector(strut->arm_front)) + site(name + "_arm_rear", to_vector(strut->arm_rear));
     out += fmt::format(R"(<body name="{}_rack" pos="{}">)", name, text(to_vector(strut->rack_end))) + "\n" +
@@ -116,8 +134,8 @@ struct Rod {
 };
 
 // An arm of a length of its own still has its ball joint's foot where the description has it.
-std::array<Rod, rods_per_strut> rods_of(const CornerDescription& corner, const MacPhersonDescription& strut) {
-    const std::string& name = corner.name;
+std::array<Rod, rods_per_strut> rods_of(const SuspensionDescription& suspension, const test::MacPhersonPoints& strut) {
+    const std::string& name = suspension.name;
     const Vector3d front = to_vector(strut.arm_front), rear = to_vector(strut.arm_rear);
     const Vector3d ball = to_vector(strut.ball_joint), outer = to_vector(strut.tie_rod_outer);
     const Vector3d axis = (rear - front).normalized();
@@ -147,16 +165,16 @@ std::string write_model(const VehicleDescription& car, const MujocoOptions& opti
     const auto& reference = options.loops.reference;
     const std::string softness = fmt::format(R"(solref="{} {}" solimp="{}")", reference[0], reference[1],
                                              fmt::join(options.loops.impedance, " "));
-    for (const CornerDescription& corner : car.corners) {
-        bodies += write_bodies(corner);
+    for (const SuspensionDescription& suspension : car.suspensions) {
+        check(suspension);
+        bodies += write_bodies(suspension);
         // No force comes of these: they make MuJoCo integrate u, v and b together with the motion.
         for (const char* state : {"u", "v", "b"})
             states += fmt::format(R"(<general name="{0}_{1}" joint="{0}_wheel" dyntype="user" gainprm="0"/>)",
-                                  corner.name, state) +
+                                  suspension.name, state) +
                       "\n";
-        const auto* strut = std::get_if<MacPhersonDescription>(&corner.suspension);
-        if (!strut) continue;
-        for (const Rod& rod : rods_of(corner, *strut)) {
+        if (!is_strut(suspension)) continue;
+        for (const Rod& rod : rods_of(suspension, test::strut_points(suspension))) {
             tendons += fmt::format(R"(<spatial name="{0}"><site site="{0}"/><site site="{1}"/></spatial>)",
                                    rod.on_chassis, rod.on_spindle) +
                        "\n";
@@ -185,26 +203,24 @@ ModelPointer load_model(const std::string& text) {
     return model;
 }
 
-CornerIndices find_corner(const mjModel& model, const CornerDescription& corner) {
+SuspensionIndices find_suspension(const mjModel& model, const SuspensionDescription& suspension) {
     const auto find = [&](mjtObj kind, const std::string& suffix) {
-        return mj_name2id(&model, kind, (corner.name + suffix).c_str());
+        return mj_name2id(&model, kind, (suspension.name + suffix).c_str());
     };
-    CornerIndices at;
+    SuspensionIndices at;
     at.carrier = find(mjOBJ_BODY, "");
     at.wheel = find(mjOBJ_BODY, "_wheel");
     at.spin_v = model.jnt_dofadr[find(mjOBJ_JOINT, "_wheel")];
     at.independent_q = model.jnt_qposadr[find(mjOBJ_JOINT, "")];
     at.independent_v = model.jnt_dofadr[find(mjOBJ_JOINT, "")];
     at.states = find(mjOBJ_ACTUATOR, "_u");
-    const auto* strut = std::get_if<MacPhersonDescription>(&corner.suspension);
-    if (!strut) return at;
+    if (!is_strut(suspension)) return at;
     at.ball_q = model.jnt_qposadr[find(mjOBJ_JOINT, "_ball")];
     at.ball_v = model.jnt_dofadr[find(mjOBJ_JOINT, "_ball")];
     at.rack_q = model.jnt_qposadr[find(mjOBJ_JOINT, "_rack")];
     at.rack_v = model.jnt_dofadr[find(mjOBJ_JOINT, "_rack")];
     at.first_rod = find(mjOBJ_TENDON, "_arm_front");
-    at.design_length = (to_vector(strut->strut_top) - to_vector(strut->slide_point)).norm();
-    const auto rods = rods_of(corner, *strut);
+    const auto rods = rods_of(suspension, test::strut_points(suspension));
     for (std::size_t i = 0; i < rods.size(); ++i) at.rods[i] = rods[i].length;
     return at;
 }

@@ -25,18 +25,21 @@ inline Vector3d to_vector(const Point& a) {
 inline constexpr int rods_per_strut = 3;  // two to the control arm's bushes, one to the rack
 
 // MuJoCo numbers its coordinates (q) and speeds (v) apart.
-struct CornerIndices {
+struct SuspensionIndices {
     int carrier = -1, wheel = -1;                // bodies
     int spin_v = -1;                             // wheel relative to carrier
-    int independent_q = -1, independent_v = -1;  // arm angle, or strut length beyond design
+    int independent_q = -1, independent_v = -1;  // arm angle, or the strut's slide
     int states = -1;                             // u, v, b among the activations
 
     // Of a strut.
     int ball_q = -1, ball_v = -1;  // at its top
     int rack_q = -1, rack_v = -1;
     int first_rod = -1;                         // of the tendons
-    double design_length = 0;                   // [m]
     std::array<double, rods_per_strut> rods{};  // their lengths [m]
+
+    bool is_strut() const { return ball_q >= 0; }
+    // Its place among the description's coordinates; a strut's begin with the ball's.
+    std::size_t independent() const { return is_strut() ? 3 : 0; }
 };
 
 // The car in MuJoCo's own language.
@@ -46,7 +49,7 @@ std::string write_model(const VehicleDescription&, const MujocoOptions&);
 using ModelPointer = std::unique_ptr<mjModel, void (*)(mjModel*)>;
 ModelPointer load_model(const std::string& text);
 
-CornerIndices find_corner(const mjModel&, const CornerDescription&);
+SuspensionIndices find_suspension(const mjModel&, const SuspensionDescription&);
 
 // A rack's mass is what any body of MuJoCo must have; its armature is inertia that only the rack's own guide feels. So it
 // has the acceleration it is told to, whatever the tie rod does: 5 kN are 5e-6 m/s^2. Displacement and rate are set
@@ -73,7 +76,7 @@ struct WheelStates {
     double u = 0, v = 0, b = 0;
 };
 
-struct CornerMotion {
+struct SuspensionMotion {
     Body carrier;
     double spin = 0;  // of the wheel relative to the carrier [rad/s]
     WheelStates states, rates;
@@ -88,7 +91,7 @@ struct CornerMotion {
 
 struct CarMotion {
     Body chassis;
-    std::vector<CornerMotion> corners;
+    std::vector<SuspensionMotion> suspensions;
 };
 
 // Everything of docs/models/forces.md but gravity, which MuJoCo has itself, and the hull: adds the loads, sets the
@@ -96,6 +99,6 @@ struct CarMotion {
 void add_forces(const VehicleDescription&, const Road&, const Inputs&, CarMotion&);
 
 // Everything the road does to the wheel, and the rates of the contact deflections.
-void add_tire(const CornerDescription&, const Road&, CornerMotion&);
+void add_tire(const SuspensionDescription&, const Road&, SuspensionMotion&);
 
 }  // namespace hamilcar::oracle

@@ -36,12 +36,10 @@ Inputs bend(double t) {
 CarState at_design(const VehicleDescription& car, double speed) {
     CarState state;
     state.velocity = {speed, 0, 0};
-    for (const CornerDescription& corner : car.corners) {
-        const double radius = casing_of(corner.tire).rolling_radius;
-        state.corners.push_back({.spin = speed / radius});
-        if (const auto* strut = std::get_if<MacPhersonDescription>(&corner.suspension))
-            state.corners.back().independent =
-                (Vec3<double>(strut->strut_top.data()) - Vec3<double>(strut->slide_point.data())).norm();
+    for (const SuspensionDescription& suspension : car.suspensions) {
+        const std::vector<double> zeros(static_cast<std::size_t>(suspension.linkage.coordinate_count()), 0.0);
+        const double spin = speed / casing_of(suspension.wheels[0].tire).rolling_radius;
+        state.suspensions.push_back({zeros, zeros, {{.spin = spin, .tires = {{}}}}});
     }
     return state;
 }
@@ -53,12 +51,20 @@ struct Case {
     Inputs (*inputs)(double) = straight;
 };
 
+// At design, with the loops closed: where links are not as long as their points are apart the struts turn a little.
+CarState start_of(const Case& run) {
+    MujocoCar car(run.car, run.road, {});
+    car.set_inputs(run.inputs(0));
+    car.set_state(at_design(run.car, run.speed));
+    return car.state();
+}
+
 using Path = std::vector<std::array<double, 3>>;
 
 template <class Car, class Advance>
 Path drive(const Case& run, Car& car, const Advance& advance) {
     car.set_inputs(run.inputs(0));
-    car.set_state(at_design(run.car, run.speed));
+    car.set_state(start_of(run));
     Path path;
     for (int i = 0; i < looks; ++i) {
         advance(i * look_every);
@@ -144,11 +150,10 @@ TEST(Mujoco, IsOfFirstOrderWithEuler) {
 // With an arm and a tie rod that are not as long as their points are apart.
 TEST(Mujoco, AgreesOnASlopeFromRest) {
     Case run{.road = {.grade = 0.05, .bank = 0.02, .friction = 0.9}, .speed = 0, .inputs = bend};
-    for (CornerDescription& corner : run.car.corners) {
-        if (auto* strut = std::get_if<MacPhersonDescription>(&corner.suspension)) {
-            strut->arm_length = 0.337;
-            strut->tie_rod_length = 0.375;
-        }
+    for (SuspensionDescription& suspension : run.car.suspensions) {
+        if (suspension.keyword != "macpherson") continue;
+        suspension.linkage.cuts.at(0).length = 0.337;  // control arm
+        suspension.linkage.cuts.at(1).length = 0.375;  // tie rod
     }
     const Gap gap = gap_to(simbody_path(run), run, stiff(MujocoIntegrator::rk4, 1e-3));
     EXPECT_LT(gap.path, 1e-6);
@@ -158,7 +163,7 @@ TEST(Mujoco, SaysWhereTheLinkageDoesNotReach) {
     const Case run;
     MujocoCar car(run.car, run.road, {});
     CarState state = at_design(run.car, run.speed);
-    state.corners[0].independent += 1;
+    state.suspensions[0].coordinates.back() += 1;
     EXPECT_THROW(car.set_state(state), std::runtime_error);
 }
 

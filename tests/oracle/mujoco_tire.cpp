@@ -18,11 +18,11 @@ struct Contact {
     double lever;  // r, of a longitudinal force about the spin axis
 };
 
-Contact find_contact(const CornerDescription& corner, const Road& road, const Body& carrier) {
-    const double radius = casing_of(corner.tire).radius;
+Contact find_contact(const SuspensionDescription& suspension, const Road& road, const Body& carrier) {
+    const double radius = casing_of(suspension.wheels[0].tire).radius;
     Contact at;
     at.normal = Vector3d(-road.grade, -road.bank, 1).normalized();
-    at.spin_axis = carrier.rotation * to_vector(corner.wheel.spin_axis).normalized();
+    at.spin_axis = carrier.rotation * to_vector(suspension.wheels[0].wheel.spin_axis).normalized();
     const double s = at.normal.dot(at.spin_axis);
     const double c = std::sqrt(std::max(1 - s * s, 1e-6));
     at.depth = radius * c - at.normal.dot(carrier.origin);
@@ -76,12 +76,12 @@ Tangential tangential_force(const LinearTireDescription& tire, double road_frict
 
 }  // namespace
 
-void add_tire(const CornerDescription& corner, const Road& road, CornerMotion& motion) {
+void add_tire(const SuspensionDescription& suspension, const Road& road, SuspensionMotion& motion) {
     const Body& carrier = motion.carrier;
-    const Contact at = find_contact(corner, road, carrier);
-    const double load = vertical_load(corner.tire, at, carrier);
+    const Contact at = find_contact(suspension, road, carrier);
+    const double load = vertical_load(suspension.wheels[0].tire, at, carrier);
     motion.push_wheel(at.point, load * at.normal);
-    const auto* tire = std::get_if<LinearTireDescription>(&corner.tire);
+    const auto* tire = std::get_if<LinearTireDescription>(&suspension.wheels[0].tire);
     if (!tire) return;
 
     const Vector3d velocity = carrier.velocity_at(at.point);

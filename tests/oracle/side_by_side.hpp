@@ -11,9 +11,10 @@ namespace hamilcar::oracle {
 
 class SideBySide {
 public:
-    SideBySide(const VehicleDescription& vehicle, const ScenarioDescription& scenario)
+    SideBySide(const VehicleDescription& vehicle, const ScenarioDescription& scenario,
+               SpindleModel spindle_model = SpindleModel::free)
         : simulation(vehicle, scenario),
-          simbody(vehicle, {scenario.road.grade, scenario.road.bank, scenario.road.friction}) {
+          simbody(vehicle, {scenario.road.grade, scenario.road.bank, scenario.road.friction}, spindle_model) {
         simbody.set_inputs(inputs(0));
         simbody.set_state(state_of(simulation));
     }

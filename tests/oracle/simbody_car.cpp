@@ -68,7 +68,7 @@ Vector SimbodyCar::Engine::rate(double time, const Inputs& inputs, const Vector&
 
 SimbodyCar::SimbodyCar(const VehicleDescription& description, const Road& road, SpindleModel spindle_model)
     : engine_(std::make_unique<Engine>(description, road, spindle_model)) {
-    set_state(design_state(engine_->parts));
+    set_state(state());  // everything is at design yet
 }
 
 SimbodyCar::~SimbodyCar() = default;
@@ -86,9 +86,8 @@ void SimbodyCar::set_state(const CarState& values) {
     chassis.setUToFitVelocity(engine.state, {to_vec3(values.angular_velocity), to_vec3(values.velocity)});
     const Parts& parts = engine.parts;
     Vector& z = engine.forces.updZ(engine.state);
-    for (std::size_t i = 0; i < parts.corners.size(); ++i) set_corner(parts, i, values.corners.at(i), engine.state, z);
-    for (std::size_t i = 0; i < parts.composed.size(); ++i)
-        set_composed(parts, i, values.composed.at(i), engine.state, z);
+    for (std::size_t i = 0; i < parts.suspensions.size(); ++i)
+        set_suspension(parts, i, values.suspensions.at(i), engine.state, z);
     for (std::size_t i = 0; i < parts.hitches.size(); ++i) set_hitch(parts, i, values.trailers.at(i), engine.state);
     engine.project();
 }
@@ -108,10 +107,8 @@ CarState SimbodyCar::state() const {
         for (int j = 0; j < 3; ++j) values.rotation[3 * i + j] = rotation[i][j];
     }
     const Vector& z = engine.forces.getZ(engine.state);
-    for (std::size_t i = 0; i < engine.parts.corners.size(); ++i)
-        values.corners.push_back(corner_of(engine.parts, i, engine.state, z));
-    for (std::size_t i = 0; i < engine.parts.composed.size(); ++i)
-        values.composed.push_back(composed_of(engine.parts, i, engine.state, z));
+    for (std::size_t i = 0; i < engine.parts.suspensions.size(); ++i)
+        values.suspensions.push_back(suspension_of(engine.parts, i, engine.state, z));
     for (std::size_t i = 0; i < engine.parts.hitches.size(); ++i)
         values.trailers.push_back(hitch_of(engine.parts, i, engine.state));
     return values;

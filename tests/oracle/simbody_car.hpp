@@ -17,19 +17,11 @@ namespace hamilcar::oracle {
 
 // What the driver imposes at one instant. The three rack values are one motion and its time derivatives.
 struct Inputs {
-    double rack = 0;               // displacement along each corner's rack axis [m]
+    double rack = 0;               // displacement along each tie rod's rack axis [m]
     double rack_rate = 0;          // [m/s]
     double rack_acceleration = 0;  // [m/s^2]
     double drive_torque = 0;       // at the differential's output, before the shares [N m]
     double brake = 0;              // command, 0 to 1
-};
-
-struct Corner {
-    double independent = 0;       // strut length |T - S| [m], or arm angle from design, jounce positive [rad]
-    double independent_rate = 0;  // [m/s] or [rad/s]
-    double spin = 0;              // wheel relative to carrier [rad/s]
-    double u = 0, v = 0;          // contact deflections, along and across [m]
-    double b = 0;                 // brake wind-up [rad]
 };
 
 struct TireState {
@@ -42,7 +34,7 @@ struct WheelState {
     std::vector<TireState> tires;  // one, or two abreast: the first toward the spin axis
 };
 
-// A composed suspension: all coordinates of its tree in order, the dependent ones as well [m, rad].
+// A suspension: all coordinates of its description's tree in order, the dependent ones as well [m, rad].
 struct TreeState {
     std::vector<double> coordinates, rates;
     std::vector<WheelState> wheels;
@@ -57,8 +49,7 @@ struct CarState {
     std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};  // row-major, vehicle axes to ground
     std::array<double, 3> velocity{};                           // of that origin, ground axes [m/s]
     std::array<double, 3> angular_velocity{};                   // of the chassis, ground axes [rad/s]
-    std::vector<Corner> corners;                                // as in the description
-    std::vector<TreeState> composed;                            // likewise
+    std::vector<TreeState> suspensions;                         // as in the description
     std::vector<HitchState> trailers;                           // likewise
 };
 
@@ -89,10 +80,8 @@ public:
     // their last inputs here.
     void set_inputs(const Inputs& inputs);
 
-    // Finds the spindles' poses and velocities that belong to the strut lengths, their rates and the current rack
-    // input. Coordinates of composed suspensions need only be near closed loops: they are projected on them. Throws
-    // std::runtime_error where the linkage does not reach, std::out_of_range if a corner, spoke, wheel, coordinate or
-    // trailer is missing.
+    // The coordinates of suspensions need only be near closed loops with the current rack input: they and their rates are
+    // projected on them. Throws std::out_of_range if a suspension, wheel, coordinate or trailer is missing.
     void set_state(const CarState& state);
 
     CarState state() const;

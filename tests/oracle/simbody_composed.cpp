@@ -1,5 +1,5 @@
-// Composed suspensions in Simbody: every coordinate of the tree is a pin or a slider of its own, with massless bodies
-// in between, so that its value is the description's; every cut joint is one or two of Simbody's constraints.
+// Suspensions in Simbody: every joint of the tree is one or two mobilizers, with a massless body in between, so that each
+// coordinate's value is the description's; every cut joint is one or two of Simbody's constraints.
 
 #include "tests/oracle/simbody_parts.hpp"
 
@@ -9,35 +9,16 @@ namespace hamilcar::oracle {
 
 using SimTK::Body;
 using SimTK::MobilizedBody;
+using SimTK::Transform;
 using SimTK::UnitVec3;
 using SimTK::Vec3;
 
 namespace {
 
-struct Coordinate {
-    bool slides;
-    UnitVec3 axis;
-};
-
-std::vector<Coordinate> coordinates_of(const TreeJointDescription& joint) {
-    const std::vector<Coordinate> rotations{{false, SimTK::ZAxis}, {false, SimTK::XAxis}, {false, SimTK::YAxis}};
-    switch (joint.kind) {
-        case TreeJoint::revolute: return {{false, UnitVec3(to_vec3(joint.axis))}};
-        case TreeJoint::prismatic: return {{true, UnitVec3(to_vec3(joint.axis))}};
-        case TreeJoint::universal:
-            return {{false, UnitVec3(to_vec3(joint.axis))}, {false, UnitVec3(to_vec3(joint.second_axis))}};
-        case TreeJoint::spherical: return rotations;
-        case TreeJoint::free: break;
-    }
-    std::vector<Coordinate> all{{true, SimTK::XAxis}, {true, SimTK::YAxis}, {true, SimTK::ZAxis}};
-    all.insert(all.end(), rotations.begin(), rotations.end());
-    return all;
-}
-
 // What the description hangs on each part, and the part as a body.
-class Spoke {
+class Tree {
 public:
-    Spoke(Parts& parts, const ComposedSpokeDescription& description) : parts_(parts), description_(description) {
+    Tree(Parts& parts, const SuspensionDescription& description) : parts_(parts), description_(description) {
         bodies_.push_back(description.unit);  // units are the first bodies of all
         const auto& joints = description.linkage.joints;
         // From the tips inward: a part may go without mass if it carries one that has mass.
@@ -48,7 +29,7 @@ public:
         tree_.first_wheel = parts.wheels.size();
         for (std::size_t i = 0; i < joints.size(); ++i) add_part(i + 1, joints[i]);
         for (const CutJointDescription& cut : description.linkage.cuts) add_cut(cut);
-        for (const ComposedWheelDescription& wheel : description.wheels) {
+        for (const SuspensionWheelDescription& wheel : description.wheels) {
             const std::size_t carrier = bodies_.at(wheel.part);
             double mass = 0;
             for (const BodyDescription& body : bodies_on(wheel.part)) mass += body.mass;
@@ -57,20 +38,20 @@ public:
         }
         for (const auto& spring : description.springs) add_element(spring.line, spring.spring, {});
         for (const auto& damper : description.dampers) add_element(damper.line, {}, damper.damper);
-        parts.composed.push_back(tree_);
+        parts.suspensions.push_back(tree_);
     }
 
 private:
     std::vector<BodyDescription> bodies_on(std::size_t part) const {
         std::vector<BodyDescription> found;
-        for (const ComposedBodyDescription& body : description_.bodies) {
+        for (const SuspensionBodyDescription& body : description_.bodies) {
             if (body.part == part) found.push_back(body.body);
         }
         return found;
     }
     std::vector<WheelDescription> wheels_on(std::size_t part) const {
         std::vector<WheelDescription> found;
-        for (const ComposedWheelDescription& wheel : description_.wheels) {
+        for (const SuspensionWheelDescription& wheel : description_.wheels) {
             if (wheel.part == part) found.push_back(wheel.wheel);
         }
         return found;
@@ -88,17 +69,27 @@ private:
     }
 
     void add_part(std::size_t part, const TreeJointDescription& joint) {
-        const Body own = body_of(part, joint);
+        const Body own = body_of(part, joint), none = Body::Massless();
         const Placed& parent = parts_.bodies[bodies_.at(joint.parent)];
+        const auto axis = [](const Point& a) { return UnitVec3(to_vec3(a)); };
         MobilizedBody last = parent.body;
         Vec3 station = parent.station(joint.point);
-        const std::vector<Coordinate> coordinates = coordinates_of(joint);
-        for (std::size_t k = 0; k < coordinates.size(); ++k) {
-            const bool outermost = k + 1 == coordinates.size();
-            last = add_coordinate(last, station, coordinates[k].slides, coordinates[k].axis,
-                                  outermost ? own : Body(Body::Massless()));
-            tree_.coordinates.push_back(last);
+        const auto add = [&](const MobilizedBody& mobilizer, int coordinates) {
+            tree_.add(mobilizer, coordinates);
+            last = mobilizer;
             station = Vec3(0);
+        };
+        switch (joint.kind) {
+            case TreeJoint::revolute: add(add_coordinate(last, station, false, axis(joint.axis), own), 1); break;
+            case TreeJoint::prismatic: add(add_coordinate(last, station, true, axis(joint.axis), own), 1); break;
+            case TreeJoint::universal:
+                add(add_coordinate(last, station, false, axis(joint.axis), none), 1);
+                add(add_coordinate(last, station, false, axis(joint.second_axis), own), 1);
+                break;
+            case TreeJoint::free:
+                add(MobilizedBody::Translation(last, Transform(station), none, Transform()), 3);
+                [[fallthrough]];
+            case TreeJoint::spherical: add(add_ball(last, station, own), 3); break;
         }
         bodies_.push_back(parts_.place(last, to_vec3(joint.point)));
     }
@@ -146,7 +137,7 @@ private:
     }
 
     Parts& parts_;
-    const ComposedSpokeDescription& description_;
+    const SuspensionDescription& description_;
     TreeParts tree_;
     std::vector<std::size_t> bodies_;  // of the parts, among all
     std::vector<bool> carries_;        // whether anything outward of the part has a mass
@@ -154,8 +145,13 @@ private:
 
 }  // namespace
 
-void add_composed(Parts& parts) {
-    for (const ComposedSpokeDescription& spoke : parts.description.composed) Spoke(parts, spoke);
+void add_suspensions(Parts& parts) {
+    bool any_strut = false;
+    for (const SuspensionDescription& suspension : parts.description.suspensions) {
+        Tree(parts, modelled(suspension, parts.spindle_model));
+        any_strut = any_strut || is_strut(suspension);
+    }
+    if (any_strut && parts.spindle_model == SpindleModel::strut_one_constraint) add_arms_and_tie_rods(parts);
 }
 
 }  // namespace hamilcar::oracle

@@ -70,8 +70,9 @@ INSTANTIATE_TEST_SUITE_P(Shipped, SimbodyVehicles,
 TEST(SimbodyDampers, TakeTheSamePathWithAKnee) {
     VehicleDescription car = test::paper_car();
     const VehicleDescription digressive = shipped("bmw_323i_digressive");
-    for (std::size_t i = 0; i < car.corners.size(); ++i) car.corners[i].damper = digressive.corners[i].damper;
-    ASSERT_EQ(car.corners[0].damper.velocity.size(), 5u);
+    for (std::size_t i = 0; i < car.suspensions.size(); ++i)
+        car.suspensions[i].dampers[0].damper = digressive.suspensions[i].dampers[0].damper;
+    ASSERT_EQ(car.suspensions[0].dampers[0].damper.velocity.size(), 5u);
     expect_same_path(car, {"bmw_323i_digressive", 15, 0.005, 500});
 }
 
@@ -98,21 +99,22 @@ void append_trailer(VehicleDescription& truck, double distance) {
     trailer.hitch_point = behind(trailer.hitch_point, distance);
     trailer.chassis.center_of_mass = behind(trailer.chassis.center_of_mass, distance);
     truck.trailers.push_back(trailer);
-    const std::vector<ComposedSpokeDescription> spokes = truck.composed;
-    for (ComposedSpokeDescription spoke : spokes) {
-        if (spoke.unit != last) continue;
-        spoke.unit = last + 1;
-        for (auto& joint : spoke.linkage.joints) joint.point = behind(joint.point, distance);
-        for (auto& cut : spoke.linkage.cuts) cut.tip = behind(cut.tip, distance), cut.foot = behind(cut.foot, distance);
-        for (auto& body : spoke.bodies) body.body.center_of_mass = behind(body.body.center_of_mass, distance);
-        for (auto& wheel : spoke.wheels) wheel.wheel.center = behind(wheel.wheel.center, distance);
+    const std::vector<SuspensionDescription> as_they_were = truck.suspensions;
+    for (SuspensionDescription suspension : as_they_were) {
+        if (suspension.unit != last) continue;
+        suspension.unit = last + 1;
+        for (auto& joint : suspension.linkage.joints) joint.point = behind(joint.point, distance);
+        for (auto& cut : suspension.linkage.cuts)
+            cut.tip = behind(cut.tip, distance), cut.foot = behind(cut.foot, distance);
+        for (auto& body : suspension.bodies) body.body.center_of_mass = behind(body.body.center_of_mass, distance);
+        for (auto& wheel : suspension.wheels) wheel.wheel.center = behind(wheel.wheel.center, distance);
         const auto move_line = [&](auto& element) {
             element.line.on_part = behind(element.line.on_part, distance);
             element.line.on_base = behind(element.line.on_base, distance);
         };
-        for (auto& spring : spoke.springs) move_line(spring);
-        for (auto& damper : spoke.dampers) move_line(damper);
-        truck.composed.push_back(spoke);
+        for (auto& spring : suspension.springs) move_line(spring);
+        for (auto& damper : suspension.dampers) move_line(damper);
+        truck.suspensions.push_back(suspension);
     }
 }
 
@@ -125,9 +127,9 @@ TEST(SimbodyTrailers, TakeTheSamePathOneBehindTheOther) {
 
 TEST(SimbodyBodies, WithoutMassAtTheEndOfATreeAreRefused) {
     VehicleDescription car = shipped("formula");
-    ASSERT_EQ(car.composed[0].linkage.joints.back().part, "rocker");
-    std::erase_if(car.composed[0].bodies,
-                  [&](const auto& body) { return body.part == car.composed[0].linkage.joints.size(); });
+    ASSERT_EQ(car.suspensions[0].linkage.joints.back().part, "rocker");
+    std::erase_if(car.suspensions[0].bodies,
+                  [&](const auto& body) { return body.part == car.suspensions[0].linkage.joints.size(); });
     EXPECT_THROW(oracle::SimbodyCar(car, {}), std::invalid_argument);
 }
 

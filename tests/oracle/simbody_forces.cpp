@@ -7,7 +7,6 @@
 
 namespace hamilcar::oracle {
 
-using SimTK::MobilizedBody;
 using SimTK::State;
 using SimTK::Vec3;
 using SimTK::Vector;
@@ -51,15 +50,14 @@ public:
             add_road(state, i, car);
             add_drive_and_brake(state, i, car, mobility_forces);
         }
-        for (const TravelBar& bar : parts_.bars) {
+        for (const AntiRollBarDescription& bar : parts_.description.anti_roll_bars) {
             const double force = bar.rate * (travel(car, bar.left) - travel(car, bar.right));
             lift(bar.left, -force, car);
             lift(bar.right, force, car);
         }
         for (std::size_t i = 0; i < parts_.hitches.size(); ++i) {
-            const MobilizedBody& yaw = parts_.hitches[i].coordinates[parts_.hitches[i].yaw];
-            const double damping = parts_.description.trailers[i].yaw_damping;
-            yaw.applyOneMobilityForce(state, 0, -damping * yaw.getOneU(state, 0), mobility_forces);
+            const Coordinate& yaw = parts_.hitches[i].coordinates[parts_.hitches[i].yaw];
+            yaw.push(-parts_.description.trailers[i].yaw_damping * yaw.rate(state), state, mobility_forces);
         }
         add_air(car.bodies.front());
         for (const MovingBody& body : car.bodies) body.add_load(loads);
@@ -70,17 +68,17 @@ public:
         double energy = 0;
         for (const AxialElement& element : parts_.axial) {
             const double length =
-                element.coordinate ? element.coordinate->getOneQ(state, 0) : line_between(element, car).length;
+                element.coordinate ? element.coordinate->value(state) : line_between(element, car).length;
             const double compression = element.design_length - length;
             energy += compression * (element.spring.force_at_design + element.spring.rate * compression / 2);
         }
         for (std::size_t i = 0; i < parts_.wheels.size(); ++i) {
-            const ComposedWheelDescription& wheel = parts_.wheels[i].description;
+            const SuspensionWheelDescription& wheel = parts_.wheels[i].description;
             const double z = travel(car, i);
             energy += stop_energy(wheel.bump, z) + stop_energy(wheel.rebound, -z);
             for (int k = 0; k < parts_.wheels[i].tires(); ++k) energy += tire_energy(parts_, i, k, car);
         }
-        for (const TravelBar& bar : parts_.bars) {
+        for (const AntiRollBarDescription& bar : parts_.description.anti_roll_bars) {
             const double difference = travel(car, bar.left) - travel(car, bar.right);
             energy += bar.rate * difference * difference / 2;
         }
@@ -95,9 +93,8 @@ private:
                    damper_force(element.damper, rate);
         };
         if (element.coordinate) {
-            const MobilizedBody& body = *element.coordinate;
-            body.applyOneMobilityForce(state, 0, force(body.getOneQ(state, 0), body.getOneU(state, 0)),
-                                       mobility_forces);
+            const Coordinate& along = *element.coordinate;
+            along.push(force(along.value(state), along.rate(state)), state, mobility_forces);
             return;
         }
         const Line line = line_between(element, car);
@@ -123,7 +120,7 @@ private:
     }
 
     void add_stops(std::size_t i, CarMotion& car) const {
-        const ComposedWheelDescription& wheel = parts_.wheels[i].description;
+        const SuspensionWheelDescription& wheel = parts_.wheels[i].description;
         const double z = travel(car, i);
         lift(i, stop_force(wheel.rebound, -z) - stop_force(wheel.bump, z), car);
     }
@@ -158,8 +155,7 @@ private:
         const double windup_rate = turned - windup_return * excess;
         subsystem_.updZDot(state)[wheel.windup_z()] = windup_rate;
         const double torque = brake.windup_stiffness * windup + brake.windup_damping * windup_rate;
-        parts_.bodies[wheel.wheel].body.applyOneMobilityForce(state, 0, -std::clamp(torque, -limit, limit),
-                                                              mobility_forces);
+        Coordinate{parts_.bodies[wheel.wheel].body}.push(-std::clamp(torque, -limit, limit), state, mobility_forces);
     }
 
     void add_air(MovingBody& chassis) const {

@@ -1,107 +1,100 @@
-// Where a MacPherson spindle is: Newton's method on its six equations, for a strut length and a rack displacement.
+// A strut's linkage written in another way: with its spindle free in space and every joint a constraint, or without the
+// links, which a constraint for the whole car stands for.
 
+#include <algorithm>
+
+#include "support/hardpoints.hpp"
 #include "tests/oracle/simbody_parts.hpp"
-
-#include <stdexcept>
 
 namespace hamilcar::oracle {
 
 using SimTK::Rotation;
-using SimTK::SpatialVec;
-using SimTK::Transform;
-using SimTK::UnitVec3;
 using SimTK::Vec3;
-using SimTK::Vector;
-
-Linkage::Linkage(const CornerDescription& corner) : wheel_center(to_vec3(corner.wheel.center)) {
-    const auto& strut = std::get<MacPhersonDescription>(corner.suspension);
-    if (!strut.steered) throw std::invalid_argument(corner.name + ": this engine moves every strut's rack end");
-    top = to_vec3(strut.strut_top);
-    slide = to_vec3(strut.slide_point);
-    slide_axis = UnitVec3(top - slide);
-    ball = to_vec3(strut.ball_joint);
-    const Vec3 front = to_vec3(strut.arm_front);
-    arm_axis = UnitVec3(to_vec3(strut.arm_rear) - front);
-    arm_foot = front + (~arm_axis * (ball - front)) * Vec3(arm_axis);
-    arm_length = strut.arm_length.value_or((ball - arm_foot).norm());
-    rack_end = to_vec3(strut.rack_end);
-    tie_rod = to_vec3(strut.tie_rod_outer);
-    rack_axis = UnitVec3(to_vec3(strut.rack_axis));
-    tie_rod_length = strut.tie_rod_length.value_or((tie_rod - rack_end).norm());
-}
 
 namespace {
 
-// Residuals of the strut length and the five constraints, and their gradients with respect to the spindle's twist
-// (rotation, then displacement of the wheel center) in chassis axes.
-class LinkageEquations {
-public:
-    LinkageEquations(const Linkage& linkage, const Transform& pose, double strut_length, double rack)
-        : residual_(6), gradient_(6, 6) {
-        const Vec3 slide = pose * (linkage.slide - linkage.wheel_center);
-        const Vec3 ball = pose * (linkage.ball - linkage.wheel_center);
-        const Vec3 tie_rod = pose * (linkage.tie_rod - linkage.wheel_center);
-        const UnitVec3 across = linkage.slide_axis.perp();
-        const Vec3 slide_frame[3] = {Vec3(linkage.slide_axis), Vec3(across), linkage.slide_axis % across};
-        for (int i = 0; i < 3; ++i) {  // this frame turns with the spindle, so the arm of its motion reaches to T
-            const Vec3 axis = pose.R() * slide_frame[i];
-            set(i, ~axis * (linkage.top - slide) - (i == 0 ? strut_length : 0), -axis, linkage.top - pose.p());
-        }
-        const Vec3 arm = ball - linkage.arm_foot;
-        set(3, ~linkage.arm_axis * arm, Vec3(linkage.arm_axis), ball - pose.p());
-        set(4, (arm.normSqr() - linkage.arm_length * linkage.arm_length) / 2, arm, ball - pose.p());
-        rod_ = tie_rod - (linkage.rack_end + rack * linkage.rack_axis);
-        set(5, (rod_.normSqr() - linkage.tie_rod_length * linkage.tie_rod_length) / 2, rod_, tie_rod - pose.p());
-    }
+// A strut's coordinates are its angles and its slide, a free spindle's three translations of the top and the same angles.
+constexpr std::size_t slide = 3, top = 0, first_angle_when_free = 3;
 
-    SpatialVec newton_step() const { return solve(-residual_); }
+// From the top toward the spindle, at design.
+Vec3 slide_axis(const SuspensionDescription& description) {
+    return to_vec3(description.linkage.joints.at(1).axis);
+}
 
-    SpatialVec twist(double strut_rate, const Vec3& rack_velocity) const {
-        Vector rates(6, 0.0);
-        rates[0] = strut_rate;
-        rates[5] = ~rod_ * rack_velocity;
-        return solve(rates);
-    }
+// Angles about z, x', y'' and their rates.
+struct Turn {
+    Turn(const TreeState& at, std::size_t first)
+        : yawed(at.coordinates.at(first), SimTK::ZAxis),
+          rolled(yawed * Rotation(at.coordinates.at(first + 1), SimTK::XAxis)),
+          rotation(rolled * Rotation(at.coordinates.at(first + 2), SimTK::YAxis)),
+          rate(at.rates.at(first) * Vec3(yawed.z()) + at.rates.at(first + 1) * Vec3(yawed.x()) +
+               at.rates.at(first + 2) * Vec3(rolled.y())) {}
 
-private:
-    // A residual that grows as the spindle's material point at `arm` from the wheel center moves along `direction`.
-    void set(int row, double value, const Vec3& direction, const Vec3& arm) {
-        residual_[row] = value;
-        const Vec3 moment = arm % direction;
-        for (int j = 0; j < 3; ++j) {
-            gradient_(row, j) = moment[j];
-            gradient_(row, 3 + j) = direction[j];
-        }
-    }
-
-    SpatialVec solve(const Vector& right_side) const {
-        Vector twist;
-        SimTK::FactorLU(gradient_).solve(right_side, twist);
-        return {Vec3(twist[0], twist[1], twist[2]), Vec3(twist[3], twist[4], twist[5])};
-    }
-
-    Vector residual_;
-    SimTK::Matrix gradient_;
-    Vec3 rod_;  // from the rack's end to the spindle's
+    Rotation yawed, rolled, rotation;
+    Vec3 rate;
 };
+
+// The spindle's frame sits at the top, through which its slide axis runs. It is part 1; nothing sits on the piston rod.
+SuspensionDescription with_free_spindle(SuspensionDescription description) {
+    const test::MacPhersonPoints strut = test::strut_points(description);
+    TreeJointDescription in_space;
+    in_space.kind = TreeJoint::free, in_space.part = "carrier", in_space.point = strut.strut_top;
+    CutJointDescription sliding;
+    sliding.kind = CutJoint::line, sliding.name = "strut", sliding.part = 0, sliding.base = 1;
+    sliding.tip = strut.strut_top, sliding.foot = strut.slide_point;
+    sliding.axis = description.linkage.joints.at(1).axis;
+    const auto renumber = [](std::size_t& part) { part = std::min<std::size_t>(part, 1); };
+    const auto move = [&](LineDescription& line) {
+        if (line.coordinate) line = {1, 0, strut.slide_point, strut.strut_top, {}};
+        renumber(line.part), renumber(line.base);
+    };
+    for (CutJointDescription& cut : description.linkage.cuts) renumber(cut.part), renumber(cut.base);
+    description.linkage.joints = {in_space};
+    description.linkage.cuts.push_back(sliding);
+    for (auto& body : description.bodies) renumber(body.part);
+    for (auto& wheel : description.wheels) renumber(wheel.part), renumber(wheel.drive_reaction);
+    for (auto& spring : description.springs) move(spring.line);
+    for (auto& damper : description.dampers) move(damper.line);
+    return description;
+}
 
 }  // namespace
 
-Transform spindle_pose(const Linkage& linkage, double strut_length, double rack) {
-    Transform pose(linkage.wheel_center);
-    for (int iteration = 0; iteration < 50; ++iteration) {
-        const SpatialVec step = LinkageEquations(linkage, pose, strut_length, rack).newton_step();
-        const double angle = step[0].norm();
-        if (angle > 0) pose.updR() = Rotation(angle, UnitVec3(step[0])) * pose.R();
-        pose.updP() += step[1];
-        if (angle + step[1].norm() < 1e-13) return pose;
-    }
-    throw std::runtime_error("the linkage does not reach this strut length and rack displacement");
+bool is_strut(const SuspensionDescription& description) {
+    return description.keyword == "macpherson";
 }
 
-SpatialVec spindle_twist(const Linkage& linkage, const Transform& pose, double strut_rate, const Inputs& inputs) {
-    const Vec3 rack_velocity = inputs.rack_rate * Vec3(linkage.rack_axis);
-    return LinkageEquations(linkage, pose, 0, inputs.rack).twist(strut_rate, rack_velocity);
+SuspensionDescription modelled(const SuspensionDescription& description, SpindleModel model) {
+    if (!is_strut(description) || model == SpindleModel::strut) return description;
+    if (model == SpindleModel::free) return with_free_spindle(description);
+    SuspensionDescription out = description;
+    out.linkage.cuts.clear();
+    return out;
+}
+
+TreeState freed(const SuspensionDescription& description, const TreeState& strut) {
+    const Turn turn(strut, 0);
+    const Vec3 axis = turn.rotation * slide_axis(description);
+    const double length = strut.coordinates.at(slide);
+    const Vec3 at = length * axis, moving = strut.rates.at(slide) * axis + length * (turn.rate % axis);
+    TreeState spindle{{at[0], at[1], at[2]}, {moving[0], moving[1], moving[2]}, {}};
+    for (std::size_t k = 0; k < slide; ++k) {
+        spindle.coordinates.push_back(strut.coordinates[k]);
+        spindle.rates.push_back(strut.rates[k]);
+    }
+    return spindle;
+}
+
+TreeState on_its_strut(const SuspensionDescription& description, const TreeState& spindle) {
+    const Vec3 axis = Turn(spindle, first_angle_when_free).rotation * slide_axis(description);
+    const auto along = [&](const std::vector<double>& of) { return ~axis * Vec3(of[top], of[top + 1], of[top + 2]); };
+    const auto angles = [](const std::vector<double>& of) {
+        return std::vector<double>(of.begin() + first_angle_when_free, of.end());
+    };
+    TreeState strut{angles(spindle.coordinates), angles(spindle.rates), {}};
+    strut.coordinates.push_back(along(spindle.coordinates));
+    strut.rates.push_back(along(spindle.rates));
+    return strut;
 }
 
 }  // namespace hamilcar::oracle

@@ -1,8 +1,8 @@
 // What the pieces of the Simbody car share: its bodies, the frames its points are given in, and how to push on them.
 //
 // Every body frame has the vehicle's axes at design and sits at some point of the design position, so a point of the
-// description becomes a station by one subtraction. Corners and composed suspensions differ in what holds their wheels
-// and in their state; to the forces there are only wheels, each with its carrier and its hub, and lines between bodies.
+// description becomes a station by one subtraction. To the forces there are only wheels, each with its carrier and its hub,
+// and lines between bodies.
 #pragma once
 
 #include "tests/oracle/simbody_car.hpp"
@@ -36,8 +36,24 @@ struct Placed {
     SimTK::Vec3 station(const Point& point) const { return to_vec3(point) - origin; }
 };
 
+// One of a mobilizer's coordinates; its rate is the speed of the same number.
+struct Coordinate {
+    SimTK::MobilizedBody body;
+    int number = 0;
+
+    double value(const SimTK::State& state) const { return body.getOneQ(state, number); }
+    double rate(const SimTK::State& state) const { return body.getOneU(state, number); }
+    void set(double value, double rate, SimTK::State& state) const {
+        body.setOneQ(state, number, value);
+        body.setOneU(state, number, rate);
+    }
+    void push(double force, const SimTK::State& state, SimTK::Vector& mobility_forces) const {
+        body.applyOneMobilityForce(state, number, force, mobility_forces);
+    }
+};
+
 struct RoadWheel {
-    ComposedWheelDescription description;
+    SuspensionWheelDescription description;
     std::size_t hub, carrier, wheel;  // among Parts::bodies; the wheel turns about its own z, the spin axis
     std::size_t drive_base;           // the body that the drive torque reacts on
     int first_z;                      // of its z-variables: u, v of each tire, then the brake wind-up
@@ -50,27 +66,21 @@ struct RoadWheel {
 struct AxialElement {
     std::size_t part, base;  // among Parts::bodies
     SimTK::Vec3 on_part, on_base;
-    std::optional<SimTK::MobilizedBody> coordinate;
+    std::optional<Coordinate> coordinate;
     SpringDescription spring;
     DamperDescription damper;
     double design_length = 0;
 };
 
-struct TravelBar {
-    std::size_t left, right;  // among Parts::wheels
-    double rate;
-};
-
-struct CornerParts {
-    SimTK::MobilizedBody carrier;
-    SimTK::MobilizedBody piston_rod;  // of a spindle on its strut
-};
-
-// A composed suspension, or a hitch: the bodies whose single mobility is a coordinate of the description.
+// A suspension, or a hitch, with its coordinates in the description's order.
 struct TreeParts {
-    std::vector<SimTK::MobilizedBody> coordinates;
+    std::vector<Coordinate> coordinates;
     std::size_t first_wheel = 0;  // among Parts::wheels
     std::size_t yaw = 0;          // of a hitch: which coordinate
+
+    void add(const SimTK::MobilizedBody& mobilizer, int count) {
+        for (int k = 0; k < count; ++k) coordinates.push_back({mobilizer, k});
+    }
 };
 
 struct Parts {
@@ -80,11 +90,9 @@ struct Parts {
     Inputs inputs;
     SimTK::MobilizedBody chassis;
     std::vector<Placed> bodies;     // every body that forces act on; first the units: chassis, trailers
-    std::vector<RoadWheel> wheels;  // of the corners, then of the composed suspensions
+    std::vector<RoadWheel> wheels;  // in the description's order
     std::vector<AxialElement> axial;
-    std::vector<TravelBar> bars;
-    std::vector<CornerParts> corners;
-    std::vector<TreeParts> composed, hitches;
+    std::vector<TreeParts> suspensions, hitches;
     int z_count = 0;
 
     // Adds a body at the point it was placed at.
@@ -97,17 +105,20 @@ struct Parts {
 // Adds every body and constraint to the matter that `ground` belongs to.
 void add_bodies(Parts&, SimTK::MobilizedBody& ground);
 
-// The composed suspensions, on units that are there; with their wheels, springs and dampers.
-void add_composed(Parts&);
+// The suspensions, on units that are there; with their wheels, springs and dampers.
+void add_suspensions(Parts&);
 
 // A wheel of that mass, and its z-variables, on a carrier that is there.
-void add_wheel(Parts&, const ComposedWheelDescription&, std::size_t hub, std::size_t carrier, std::size_t drive_base,
+void add_wheel(Parts&, const SuspensionWheelDescription&, std::size_t hub, std::size_t carrier, std::size_t drive_base,
                double mass);
 
 // One coordinate as a mobilizer of its own: the child's frame sits at `station` of the parent at design and slides
 // along the axis or turns about it.
 SimTK::MobilizedBody add_coordinate(SimTK::MobilizedBody parent, const SimTK::Vec3& station, bool slides,
                                     const SimTK::UnitVec3& axis, const SimTK::Body& body);
+
+// The three angles of a ball, about z, x', y'', in one mobilizer.
+SimTK::MobilizedBody add_ball(SimTK::MobilizedBody parent, const SimTK::Vec3& station, const SimTK::Body& body);
 
 // A massless slider at `station` of `base`, displaced by `drive` times the rack.
 SimTK::MobilizedBody add_rack(const Parts&, SimTK::MobilizedBody base, const SimTK::Vec3& station,
@@ -123,42 +134,23 @@ double wheel_mass_of(double described_mass, std::size_t wheels);
 SimTK::MassProperties carrier_mass(const std::string& name, const std::vector<BodyDescription>& bodies,
                                    const std::vector<WheelDescription>& wheels, const SimTK::Vec3& origin);
 
-// A MacPherson corner as points and lengths in design coordinates, spindle points included.
-struct Linkage {
-    explicit Linkage(const CornerDescription&);
+bool is_strut(const SuspensionDescription&);
 
-    SimTK::Vec3 wheel_center;
-    SimTK::Vec3 top, slide;
-    SimTK::UnitVec3 slide_axis;  // on the spindle, from S to T
-    SimTK::Vec3 arm_foot, ball;
-    SimTK::UnitVec3 arm_axis;
-    double arm_length;
-    SimTK::Vec3 rack_end, tie_rod;
-    SimTK::UnitVec3 rack_axis;
-    double tie_rod_length;
-};
+// The suspension whose tree and cut joints a model asks for; a strut's spindle may be free instead, or lack its links.
+SuspensionDescription modelled(const SuspensionDescription&, SpindleModel);
 
-// A carrier of that mass on its piston rod.
-void add_strut(Parts&, const Linkage&, const SimTK::MassProperties&, CornerParts&);
+// Coordinates of a strut as those of its spindle free in space, and back.
+TreeState freed(const SuspensionDescription&, const TreeState& strut);
+TreeState on_its_strut(const SuspensionDescription&, const TreeState& spindle);
 
-// SpindleModel::strut_one_constraint: what holds all carriers on piston rods, once they are there.
+// SpindleModel::strut_one_constraint: what holds all spindles on their struts, once they are there.
 void add_arms_and_tie_rods(Parts&);
 
-// From spindle stations to the vehicle frame; throws std::runtime_error where there is no such pose.
-SimTK::Transform spindle_pose(const Linkage&, double strut_length, double rack);
-
-// Relative to the chassis, in its axes: angular velocity and velocity of the wheel center.
-SimTK::SpatialVec spindle_twist(const Linkage&, const SimTK::Transform& pose, double strut_rate, const Inputs&);
-
 // Coordinates, speeds and z-variables in and out.
-void set_corner(const Parts&, std::size_t corner, const Corner&, SimTK::State&, SimTK::Vector& z);
-Corner corner_of(const Parts&, std::size_t corner, const SimTK::State&, const SimTK::Vector& z);
-void set_composed(const Parts&, std::size_t spoke, const TreeState&, SimTK::State&, SimTK::Vector& z);
-TreeState composed_of(const Parts&, std::size_t spoke, const SimTK::State&, const SimTK::Vector& z);
+void set_suspension(const Parts&, std::size_t suspension, const TreeState&, SimTK::State&, SimTK::Vector& z);
+TreeState suspension_of(const Parts&, std::size_t suspension, const SimTK::State&, const SimTK::Vector& z);
 void set_hitch(const Parts&, std::size_t trailer, const HitchState&, SimTK::State&);
 HitchState hitch_of(const Parts&, std::size_t trailer, const SimTK::State&);
-// Straight, and every linkage at design.
-CarState design_state(const Parts&);
 
 // A body in ground axes, at one instant, and what pushes on it. Simbody is asked for each pose and velocity once per
 // evaluation, as its answers cost more than the arithmetic on them.

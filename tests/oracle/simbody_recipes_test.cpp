@@ -2,19 +2,19 @@
 // roll and a yaw rate, run into their stops; no part, spring or point is where symmetry could hide something.
 #include <gtest/gtest.h>
 
-#include "linkage/composed_samples.hpp"
+#include "linkage/samples.hpp"
 #include "oracle/side_by_side.hpp"
 #include "support/car.hpp"
 
 namespace hamilcar {
 namespace {
 
-using test::ComposedSample;
+using test::LinkageSample;
 
 constexpr double path_tolerance = 1e-9;  // [m]
 
 // An arm free in space, held by a ball at one bush and a line through both at the other.
-ComposedSample held_by_cuts() {
+LinkageSample held_by_cuts() {
     LinkageDescription linkage;
     const Point inner{0.3, 0.2, 0.28}, outer{0.42, 0.6, 0.3};
     linkage.joints.push_back({TreeJoint::free, "arm", 0, {0.1, 0.5, 0.3}, {}, {}});
@@ -25,8 +25,8 @@ ComposedSample held_by_cuts() {
     return {"held_by_cuts", "", linkage, {{1, {0.01, 0.72, 0.3}}}};
 }
 
-std::vector<ComposedSample> samples() {
-    std::vector<ComposedSample> all = test::composed_samples();
+std::vector<LinkageSample> samples() {
+    std::vector<LinkageSample> all = test::recipe_samples();
     all.push_back(held_by_cuts());
     return all;
 }
@@ -60,61 +60,63 @@ Point shifted(const Point& p, double x, double y, double z) {
 }
 
 // Wheel carriers, axles and whatever ends the tree have a mass; arms and struts that carry more may go without.
-void add_bodies(ComposedSpokeDescription& spoke) {
-    const auto& joints = spoke.linkage.joints;
+void add_bodies(SuspensionDescription& suspension) {
+    const auto& joints = suspension.linkage.joints;
     for (std::size_t part = 1; part <= joints.size(); ++part) {
         std::vector<Point> wheels;
-        for (const auto& wheel : spoke.wheels) {
+        for (const auto& wheel : suspension.wheels) {
             if (wheel.part == part) wheels.push_back(wheel.wheel.center);
         }
         const bool outward = std::any_of(joints.begin(), joints.end(), [&](const auto& j) { return j.parent == part; });
         if (wheels.size() == 1) {
-            spoke.bodies.push_back(
+            suspension.bodies.push_back(
                 {part, {30, shifted(wheels[0], 0.02, -0.03, 0.01), {1.1, 0.7, 1.0}, {0.02, 0.01, 0.03}}});
         } else if (wheels.size() == 2 || joints[part - 1].kind == TreeJoint::free) {
-            spoke.bodies.push_back({part, {90, shifted(joints[part - 1].point, 0.01, 0.03, 0.02), {35, 3, 35}, {}}});
+            suspension.bodies.push_back(
+                {part, {90, shifted(joints[part - 1].point, 0.01, 0.03, 0.02), {35, 3, 35}, {}}});
         } else if (!outward) {
-            spoke.bodies.push_back(
+            suspension.bodies.push_back(
                 {part, {2, shifted(joints[part - 1].point, 0.03, 0.01, 0.02), {0.02, 0.02, 0.02}, {}}});
         }
     }
 }
 
-void add_wheels(const ComposedSample& sample, const Place& place, ComposedSpokeDescription& spoke) {
-    const CornerDescription corner = test::paper_car().corners[0];
+void add_wheels(const LinkageSample& sample, const Place& place, SuspensionDescription& suspension) {
+    const SuspensionWheelDescription paper_wheel = test::paper_car().suspensions[0].wheels[0];
     const bool solid = sample.wheels.size() == 2 && sample.keyword != "twist_beam";
     for (const CarriedPoint& at : sample.wheels) {
-        ComposedWheelDescription& wheel = spoke.wheels.emplace_back();
+        SuspensionWheelDescription& wheel = suspension.wheels.emplace_back();
         const Point center = place.point(at.point);
         const double inward = center[1] > 0 ? -1 : 1;
-        wheel.name = spoke.name, wheel.part = at.part, wheel.wheel = corner.wheel, wheel.wheel.center = center;
+        wheel.name = suspension.name, wheel.part = at.part, wheel.wheel = paper_wheel.wheel,
+        wheel.wheel.center = center;
         wheel.wheel.spin_axis = {0.02, std::sqrt(1 - 0.02 * 0.02 - 0.04 * 0.04), -0.04 * inward};
         wheel.dual_spacing = sample.name == "leaf_axle" ? 0.2 : 0;
         wheel.bump = {0.02, 60e3, 1e6}, wheel.rebound = {0.02, 80e3, 0};
-        wheel.tire = corner.tire, wheel.brake = corner.brake;
+        wheel.tire = paper_wheel.tire, wheel.brake = paper_wheel.brake;
         wheel.drive_share = 0.25, wheel.drive_reaction = solid ? 1 : 0;
         const LineDescription line{
             at.part, 0, shifted(center, 0.01, 0.1 * inward, 0.1), shifted(center, 0.05, 0.15 * inward, 0.5), {}};
-        spoke.springs.push_back({spoke.name, line, {25e3, 2900}});
-        spoke.dampers.push_back({spoke.name, line, {{-1, 0, 1}, {-1200, 0, 2000}}});
+        suspension.springs.push_back({suspension.name, line, {25e3, 2900}});
+        suspension.dampers.push_back({suspension.name, line, {{-1, 0, 1}, {-1200, 0, 2000}}});
     }
     LineDescription about;
-    about.coordinate = spoke.linkage.coordinate_count() - 1;
-    spoke.springs.push_back({spoke.name, about, {300, 20}});
-    spoke.dampers.push_back({spoke.name, about, {{-1, 1}, {-5, 5}}});
+    about.coordinate = suspension.linkage.coordinate_count() - 1;
+    suspension.springs.push_back({suspension.name, about, {300, 20}});
+    suspension.dampers.push_back({suspension.name, about, {{-1, 1}, {-5, 5}}});
 }
 
-ComposedSpokeDescription spoke_at(const ComposedSample& sample, const Place& place) {
-    ComposedSpokeDescription spoke;
-    spoke.name = std::string(place.rear ? "rear" : "front") + (place.right ? "_right" : "_left");
-    spoke.suspension = sample.keyword;
-    spoke.linkage = linkage_at(place, sample.linkage);
-    add_wheels(sample, place, spoke);
-    add_bodies(spoke);
-    return spoke;
+SuspensionDescription suspension_at(const LinkageSample& sample, const Place& place) {
+    SuspensionDescription suspension;
+    suspension.name = std::string(place.rear ? "rear" : "front") + (place.right ? "_right" : "_left");
+    suspension.keyword = sample.keyword;
+    suspension.linkage = linkage_at(place, sample.linkage);
+    add_wheels(sample, place, suspension);
+    add_bodies(suspension);
+    return suspension;
 }
 
-VehicleDescription car_on(const ComposedSample& sample) {
+VehicleDescription car_on(const LinkageSample& sample) {
     VehicleDescription car;
     car.name = sample.name;
     car.chassis = {1000, {-1.25, 0.02, 0.55}, {320, 1500, 1600}, {10, -15, 20}};
@@ -122,10 +124,10 @@ VehicleDescription car_on(const ComposedSample& sample) {
     car.steering = {0.04, 0.06};
     for (const bool rear : {false, true}) {
         for (const bool right : {false, true}) {
-            if (!right || sample.wheels.size() == 1) car.composed.push_back(spoke_at(sample, {right, rear}));
+            if (!right || sample.wheels.size() == 1) car.suspensions.push_back(suspension_at(sample, {right, rear}));
         }
     }
-    car.composed_bars = {{0, 1, 6e3}, {2, 3, 4e3}};
+    car.anti_roll_bars = {{0, 1, 6e3}, {2, 3, 4e3}};
     return car;
 }
 
@@ -143,10 +145,10 @@ ScenarioDescription thrown() {
     return s;
 }
 
-class SimbodyRecipes : public testing::TestWithParam<ComposedSample> {};
+class SimbodyRecipes : public testing::TestWithParam<LinkageSample> {};
 
 TEST_P(SimbodyRecipes, TakeTheSamePath) {
-    oracle::SideBySide both(car_on(GetParam()), thrown());
+    oracle::SideBySide both(car_on(GetParam()), thrown(), oracle::SpindleModel::strut);
     const double gap = both.largest_gap();
     std::printf("largest gap: %.2e m\n", gap);
     EXPECT_LT(gap, path_tolerance);

@@ -115,10 +115,13 @@ double largest_difference(const oracle::CarState& one, const oracle::CarState& o
     const auto compare = [&](double a, double b) { largest = std::max(largest, std::abs(a - b)); };
     for (std::size_t i = 0; i < 3; ++i) compare(one.velocity[i], other.velocity[i]);
     for (std::size_t i = 0; i < 3; ++i) compare(one.angular_velocity[i], other.angular_velocity[i]);
-    for (std::size_t i = 0; i < one.corners.size(); ++i) {
-        compare(one.corners[i].independent, other.corners[i].independent);
-        compare(one.corners[i].independent_rate, other.corners[i].independent_rate);
-        compare(one.corners[i].spin, other.corners[i].spin);
+    for (std::size_t i = 0; i < one.suspensions.size(); ++i) {
+        const oracle::TreeState &a = one.suspensions[i], &b = other.suspensions[i];
+        for (std::size_t k = 0; k < a.coordinates.size(); ++k) {
+            compare(a.coordinates[k], b.coordinates[k]);
+            compare(a.rates[k], b.rates[k]);
+        }
+        compare(a.wheels[0].spin, b.wheels[0].spin);
     }
     return largest;
 }

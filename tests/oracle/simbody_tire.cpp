@@ -22,7 +22,7 @@ struct Contact {
 };
 
 Contact find_contact(const Parts& parts, std::size_t i, int tire, const CarMotion& car) {
-    const ComposedWheelDescription& wheel = parts.wheels[i].description;
+    const SuspensionWheelDescription& wheel = parts.wheels[i].description;
     const double radius = casing_of(wheel.tire).radius;
     const Vec3& axis = car.wheels[i].spin_axis;
     const Vec3 center = car.wheels[i].center + (tire == 0 ? 0.5 : -0.5) * wheel.dual_spacing * axis;

@@ -76,7 +76,7 @@ struct CutJoints {
 
 class LiteralCar {
 public:
-    // Corners ordered front_left, front_right, rear_left, rear_right; alpha [1/s] is the stabilization gain of (27).
+    // Suspensions ordered front_left, front_right, rear_left, rear_right; alpha [1/s] is the stabilization gain of (27).
     explicit LiteralCar(const VehicleDescription& car, double alpha = 0);
 
     Coordinates design_position() const;

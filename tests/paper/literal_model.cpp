@@ -2,9 +2,13 @@
 #include <stdexcept>
 
 #include "paper/literal.hpp"
+#include "support/hardpoints.hpp"
 
 namespace hamilcar::paper {
 namespace {
+
+using test::MacPhersonPoints;
+using test::SemiTrailingArmPoints;
 
 Vector3 vector(const Point& p) {
     return {p[0], p[1], p[2]};
@@ -21,7 +25,7 @@ Body make_body(const BodyDescription& description) {
     return body;
 }
 
-Strut make_strut(const MacPhersonDescription& points, const Vector3& chassis, const Vector3& spindle) {
+Strut make_strut(const MacPhersonPoints& points, const Vector3& chassis, const Vector3& spindle) {
     const Vector3 T = vector(points.strut_top), S = vector(points.slide_point), C = vector(points.ball_joint);
     const Vector3 A1 = vector(points.arm_front), A2 = vector(points.arm_rear);
     const Vector3 R = vector(points.rack_end), Q = vector(points.tie_rod_outer);
@@ -44,7 +48,7 @@ Strut make_strut(const MacPhersonDescription& points, const Vector3& chassis, co
 
 // u_41 = -(pin axis toward +y), so that omega_4 = omega_1 - u_41 q9' lifts the wheel for q9' > 0. At design both bodies
 // are parallel and q9 = 0, hence C_14 = C_41: any right-handed frame with u_41 for its third axis.
-Arm make_arm(const SemiTrailingArmDescription& points, const Vector3& chassis, const Vector3& arm_center) {
+Arm make_arm(const SemiTrailingArmPoints& points, const Vector3& chassis, const Vector3& arm_center) {
     const Vector3 inner = vector(points.inner_bush), outer = vector(points.outer_bush);
     const Vector3 along = (outer - inner).normalized();
     const Vector3 u_41 = along.y() > 0 ? Vector3(-along) : along;
@@ -61,18 +65,17 @@ Arm make_arm(const SemiTrailingArmDescription& points, const Vector3& chassis, c
 }  // namespace
 
 LiteralCar::LiteralCar(const VehicleDescription& car, double alpha) : gravity_(car.gravity), alpha_(alpha) {
-    constexpr std::array<std::size_t, 4> corner_of_body{1, 0, 3, 2};  // bodies 2 to 5: the paper starts on the right
+    // Bodies 2 to 5: the paper starts on the right.
+    constexpr std::array<std::size_t, 4> suspension_of_body{1, 0, 3, 2};
     bodies_[0] = make_body(car.chassis);
     for (std::size_t i = 0; i < 4; ++i) {
-        const CornerDescription& corner = car.corners.at(corner_of_body[i]);
-        bodies_[i + 1] = make_body(corner.carrier);
-        bodies_[i + 1].e = vector(corner.wheel.spin_axis);
+        const SuspensionDescription& suspension = car.suspensions.at(suspension_of_body[i]);
+        bodies_[i + 1] = make_body(suspension.bodies.at(0).body);
+        bodies_[i + 1].e = vector(suspension.wheels.at(0).wheel.spin_axis);
         if (i < 2) {
-            struts_[i] =
-                make_strut(std::get<MacPhersonDescription>(corner.suspension), body(1).center, bodies_[i + 1].center);
+            struts_[i] = make_strut(test::strut_points(suspension), body(1).center, bodies_[i + 1].center);
         } else {
-            arms_[i - 2] = make_arm(std::get<SemiTrailingArmDescription>(corner.suspension), body(1).center,
-                                    bodies_[i + 1].center);
+            arms_[i - 2] = make_arm(test::arm_points(suspension), body(1).center, bodies_[i + 1].center);
         }
     }
 }

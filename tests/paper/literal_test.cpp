@@ -48,9 +48,9 @@ TEST_F(Literal, DesignPositionIsAssembledAndJounceIsPositive) {
 
 TEST_F(Literal, GivenLinkLengthsAreKept) {
     VehicleDescription description = reference_car();
-    auto& right = std::get<MacPhersonDescription>(description.corners[1].suspension);
-    right.arm_length = 0.3354;
-    right.tie_rod_length = 0.372;
+    std::vector<CutJointDescription>& right = description.suspensions[1].linkage.cuts;
+    right[0].length = 0.3354;  // control arm
+    right[1].length = 0.372;   // tie rod
     const LiteralCar other(description);
     const Coordinates assembled = other.assemble(other.design_position());
     EXPECT_LT(other.Phi(assembled).cwiseAbs().maxCoeff(), 1e-15);

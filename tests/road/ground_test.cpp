@@ -124,6 +124,44 @@ TEST(Ground, RisesAsDifferencesSay) {
     EXPECT_GT(std::abs(found.rise), 0.01) << "else this shows nothing";
 }
 
+RoadDescription everything() {
+    RoadDescription d;
+    d.obstacles = {{.start = 2, .length = 3, .height = 0.08, .ramp = 0.5}, {.start = 4, .length = 2, .height = -0.1}};
+    d.waves = {{.start = -20, .amplitude = 0.03, .wavelength = 4}};
+    d.random = {{.road_class = 'C', .start = -20}};
+    HeightGridDescription grid{.x = -5, .y = -3, .spacing_x = 0.5, .spacing_y = 0.5, .rows = 12, .columns = 20};
+    for (std::size_t i = 0; i < grid.rows * grid.columns; ++i) grid.heights.push_back(i % 2 == 0 ? 0.05 : -0.05);
+    d.grid = std::make_shared<const HeightGridDescription>(grid);
+    return d;
+}
+
+// Checkered heights make the grid's cubics overshoot.
+TEST(Surface, IsNowhereAboveItsHighest) {
+    const Surface surface(everything());
+    std::mt19937 source(11);
+    std::uniform_real_distribution<double> along(-10, 30), across(-4, 4);
+    double most = 0;
+    for (int i = 0; i < 200'000; ++i) most = std::max(most, surface.height(along(source), across(source)));
+    EXPECT_LE(most, surface.highest());
+    EXPECT_GT(most, 0.4 * surface.highest()) << "a bound that is worth something";
+}
+
+// What is farther above the plane than that is told of the plane, and what is nearer of the surface.
+TEST(Ground, OfWhatIsHighAboveIsThePlane) {
+    const Surface surface(everything());
+    const PlaneRoad<double> plane(0.03, 0.01, 0.9);
+    const Vec3<double> position(2.7, 0.1, 0.5), center(0.2, 0.6, -0.2);
+    const Mat3<double> R = axis_rotation<double>(Vec3<double>::UnitZ(), 0.4);
+    const UnevenGround<double> ground(&surface, plane.normal, 0.9, position, R, 0);
+    const GroundBelow<double> below{plane.seen_from(position, R), &ground};
+    const auto normal_for = [&](double clearance) {
+        return below.under(center, Vec3<double>::UnitY(), Spatial<double>::Zero(), radius, clearance, {0, 0})
+            .plane.normal;
+    };
+    EXPECT_EQ(normal_for(1.001 * surface.highest()), below.plane.normal);
+    EXPECT_GT((normal_for(0.999 * surface.highest()) - below.plane.normal).norm(), 1e-3);
+}
+
 // Two cars in the lanes of a program's call, one on a plane: each gets what it would alone, bit for bit.
 TEST(Ground, LanesAreOnTheirOwn) {
     const Surface surface(rough());
@@ -135,18 +173,14 @@ TEST(Ground, LanesAreOnTheirOwn) {
     const auto alone = [&](const Surface* below) {
         const UnevenGround<double> ground(below, plane.normal, 0.9, position, R, 0);
         const GroundBelow<double> wheel{plane.seen_from(position, R), below ? &ground : nullptr};
-        return wheel.under(center, Vec3<double>::UnitY(), motion, radius, {0, 0});
+        return wheel.under(center, Vec3<double>::UnitY(), motion, radius, 0, {0, 0});
     };
     using Question = GroundQuestion<double>;
-    const Question question{center,
-                            Vec3<double>::UnitY(),
-                            motion,
-                            radius,
-                            position,
-                            R,
-                            plane.normal,
-                            0.9,
-                            {plane.seen_from(position, R), 0}};
+    const Question question{center, Vec3<double>::UnitY(),
+                            motion, radius,
+                            0,      position,
+                            R,      plane.normal,
+                            0.9,    {plane.seen_from(position, R), 0}};
     std::array<double, 2 * Question::count> arguments;
     std::array<double, 2 * Question::answer_count> found;
     std::size_t next = 0;

@@ -103,7 +103,7 @@ TEST_F(Checkpoint, IsRefusedForAnotherCarOrScenario) {
     for (int i = 0; i < 100; ++i) ASSERT_FALSE(car.advance());
     write_checkpoint(path(), car, {}, {.vehicle = 1, .scenario = 2});
     VehicleDescription stiffer = test::shipped_car();
-    stiffer.corners[0].spring.rate *= 1.001;
+    stiffer.suspensions[0].springs[0].spring.rate *= 1.001;
     ScenarioDescription finer = driven(), slippery = driven(), other_method = driven();
     finer.solver.step = 5e-4, slippery.road.friction = 0.9, other_method.solver.integrator = "rk4";
     const Origin same{.vehicle = 1, .scenario = 2};

@@ -128,7 +128,7 @@ TEST(DrivenCar, IsRefusedWhereItCannotBeDriven) {
 
 TEST(DrivenCar, NeedsWheelsThatDriveAndThatSteer) {
     VehicleDescription car = test::shipped_car();
-    for (CornerDescription& corner : car.corners) corner.drive_share = 0;
+    for (SuspensionDescription& corner : car.suspensions) corner.wheels[0].drive_share = 0;
     EXPECT_THAT(refusal(car, at_speed(5, 0, 1)), testing::HasSubstr("'driver.speed': no axle of " + car.name));
     EXPECT_EQ(refusal(car, at_speed(0, 5, 1)), "none");
     ScenarioDescription s = test::scenario(1, 5);

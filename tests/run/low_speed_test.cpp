@@ -12,7 +12,7 @@ namespace {
 
 VehicleDescription car_on(const TireDescription& tire) {
     VehicleDescription car = test::paper_car();
-    for (CornerDescription& corner : car.corners) corner.tire = tire;
+    for (SuspensionDescription& corner : car.suspensions) corner.wheels[0].tire = tire;
     return car;
 }
 
@@ -103,12 +103,12 @@ TEST_P(LowSpeed, LocksAndReleasesItsWheels) {
     while (!simulation.finished()) {
         if (const auto end = simulation.advance()) FAIL() << end->message;
         if (simulation.time() > 1.1 && simulation.time() < 1.2) {
-            slowest_spin = std::min(slowest_spin, simulation.sample().momenta.spokes[0].forces.contact.omega);
+            slowest_spin = std::min(slowest_spin, simulation.sample().momenta.suspensions[0].wheels[0].contact.omega);
         }
     }
     EXPECT_LT(std::abs(slowest_spin), 0.5) << "the front wheels were to lock";
     const Sample end = simulation.sample();
-    const auto& forces = end.momenta.spokes[0].forces;
+    const auto& forces = end.momenta.suspensions[0].wheels[0];
     EXPECT_GT(end.velocity.hub[0], 3);
     EXPECT_NEAR(forces.contact.omega * 0.288 / end.velocity.hub[0], 1, 0.02) << "and roll again";
 }
@@ -121,7 +121,7 @@ TEST_P(LowSpeed, SpinsUpOnIceAndComesBack) {
     double fastest_wheel = 0;
     while (!simulation.finished()) {
         if (const auto end = simulation.advance()) FAIL() << end->message;
-        fastest_wheel = std::max(fastest_wheel, simulation.sample().momenta.spokes[2].forces.contact.omega);
+        fastest_wheel = std::max(fastest_wheel, simulation.sample().momenta.suspensions[2].wheels[0].contact.omega);
     }
     const Sample end = simulation.sample();
     EXPECT_GT(fastest_wheel * 0.288, 10) << "the driven wheels spin";

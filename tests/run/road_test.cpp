@@ -45,7 +45,7 @@ TEST(UnevenRoad, CrossingACleatConvergesWithTheStep) {
     for (const double speed : {5 / 3.6, 30 / 3.6, 100 / 3.6}) {
         ScenarioDescription s = test::scenario(std::max(6 / speed, 0.5), speed);
         s.road.obstacles = {cleat()};
-        const auto load = [](const Simulation& at) { return at.sample().momenta.spokes[0].forces.tire.Fz; };
+        const auto load = [](const Simulation& at) { return at.sample().momenta.suspensions[0].wheels[0].tire.Fz; };
         const auto height = [](const Simulation& at) { return at.state().position()[2]; };
         std::vector<double> loads, heights;
         std::vector<std::vector<double>> load_runs, height_runs;
@@ -154,8 +154,8 @@ TEST(Friction, ASplitRoadPullsTheBrakedCarToItsGrip) {
     Simulation simulation(test::shipped_car(), s);
     while (simulation.time() < 0.8) ASSERT_FALSE(simulation.advance());
     const Sample sample = simulation.sample();
-    const auto& left = sample.momenta.spokes[0].forces;
-    const auto& right = sample.momenta.spokes[1].forces;
+    const auto& left = sample.momenta.suspensions[0].wheels[0];
+    const auto& right = sample.momenta.suspensions[1].wheels[0];
     EXPECT_NEAR(left.contact.friction, 1, 1e-12);
     EXPECT_NEAR(right.contact.friction, 0.2, 1e-12);
     EXPECT_LT(left.tire.Fx, 3 * right.tire.Fx);
@@ -172,7 +172,8 @@ TEST(Friction, AnIcePatchIsFeltWhereItIs) {
         ASSERT_FALSE(simulation.advance());
         const double x = simulation.state().position()[0];  // the origin is between the front wheels
         const Sample sample = simulation.sample();
-        const double force = -sample.momenta.spokes[0].forces.tire.Fx / sample.momenta.spokes[0].forces.tire.Fz;
+        const double force =
+            -sample.momenta.suspensions[0].wheels[0].tire.Fx / sample.momenta.suspensions[0].wheels[0].tire.Fz;
         if (x > 5 && x < 7) before.push_back(force);
         if (x > 9.5 && x < 13) on.push_back(force);
         if (x > 16 && x < 18) after.push_back(force);

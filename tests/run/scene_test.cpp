@@ -10,6 +10,7 @@
 
 #include "hamilcar/run/channels.hpp"
 #include "support/fleet.hpp"
+#include "support/hardpoints.hpp"
 
 namespace hamilcar {
 namespace {
@@ -78,7 +79,7 @@ TEST_P(Pictures, KeepTheSizeOfEveryPart) {
 TEST_P(Pictures, HingeTheirPartsAtTheBushes) {
     drive(1.2);
     const Sample sample = simulation_.sample();
-    for (const ComposedSpokeDescription& spoke : car_.composed) {
+    for (const SuspensionDescription& spoke : car_.suspensions) {
         const auto frame = [&](std::size_t part) {
             if (part == 0) return spoke.unit;
             std::string name = spoke.name + "." + spoke.linkage.joints[part - 1].part;
@@ -159,10 +160,10 @@ INSTANTIATE_TEST_SUITE_P(Fleet, Pictures, testing::ValuesIn(test::fleet()),
 TEST(Picture, OfTheCarShowsItsOwnHardpoints) {
     const VehicleDescription car = test::paper_car();
     const Scene scene = make_scene(car);
-    const auto& strut = std::get<MacPhersonDescription>(car.corners[0].suspension);
+    const test::MacPhersonPoints strut = test::strut_points(car.suspensions[0]);
     std::vector<Point> ends;
     for (const SceneLink& link : scene.links) {
-        if (link.name == car.corners[0].name + ".strut" && link.kind == LinkKind::strut) {
+        if (link.name == car.suspensions[0].name + ".strut" && link.kind == LinkKind::strut) {
             ends = {link.a.point, link.b.point};
         }
     }
@@ -170,8 +171,9 @@ TEST(Picture, OfTheCarShowsItsOwnHardpoints) {
     std::vector<Point> arm, rod;
     for (const SceneLink& link : scene.links) {
         if (link.kind != LinkKind::rod) continue;
-        if (link.name == car.corners[0].name + ".control arm") arm.push_back(link.a.point), arm.push_back(link.b.point);
-        if (link.name == car.corners[0].name + ".tie rod") rod = {link.a.point, link.b.point};
+        if (link.name == car.suspensions[0].name + ".control arm")
+            arm.push_back(link.a.point), arm.push_back(link.b.point);
+        if (link.name == car.suspensions[0].name + ".tie rod") rod = {link.a.point, link.b.point};
     }
     EXPECT_THAT(arm,
                 testing::UnorderedElementsAre(strut.ball_joint, strut.arm_front, strut.ball_joint, strut.arm_rear));

@@ -40,9 +40,9 @@ TEST(Channels, AreChosenByNameOrPrefix) {
 TEST(Ends, PastTheReachOfALinkageTellWheelTravelAndJoint) {
     for (const char* name : {"formula", "bmw_e90_330i"}) {
         VehicleDescription car = io::read_vehicle(test::source_path("vehicles/" + std::string(name) + ".toml"));
-        for (CornerDescription& corner : car.corners) corner.bump = corner.rebound = {};
-        for (ComposedSpokeDescription& spoke : car.composed) {
-            for (ComposedWheelDescription& wheel : spoke.wheels) wheel.bump = wheel.rebound = {};
+        for (SuspensionDescription& corner : car.suspensions) corner.wheels[0].bump = corner.wheels[0].rebound = {};
+        for (SuspensionDescription& spoke : car.suspensions) {
+            for (SuspensionWheelDescription& wheel : spoke.wheels) wheel.bump = wheel.rebound = {};
         }
         ScenarioDescription s = test::scenario(3);
         s.initial.settle = false, s.initial.height = 4;
@@ -125,7 +125,8 @@ TEST(Simulation, StartsWithTheVelocitiesItWasGiven) {
         Spatial<double> expected;
         expected << 12, 3, -0.5, 0.2, -0.1, 0.6;
         EXPECT_LT((start.velocity.hub - expected).norm(), 1e-12);
-        for (int i = 0; i < 4; ++i) EXPECT_NEAR(start.momenta.spokes[static_cast<std::size_t>(i)].V_rate[0], 0, 1e-12);
+        for (int i = 0; i < 4; ++i)
+            EXPECT_NEAR(start.velocity.suspensions[static_cast<std::size_t>(i)].own.V_rate[0], 0, 1e-12);
     }
 }
 
@@ -136,8 +137,8 @@ TEST(Channels, AreNotDoubledByOverlappingPatterns) {
 
 TEST(AdaptiveMethod, GivesUpInsteadOfHangingWhereNothingIsFinite) {
     VehicleDescription car = test::paper_car();
-    for (CornerDescription& corner : car.corners)
-        std::get<LinearTireDescription>(corner.tire).vertical_stiffness = 1e30;
+    for (SuspensionDescription& corner : car.suspensions)
+        std::get<LinearTireDescription>(corner.wheels[0].tire).vertical_stiffness = 1e30;
     ScenarioDescription s = test::scenario(1, 20);
     s.initial.settle = false;
     s.initial.height = -0.01;

@@ -21,10 +21,10 @@ inline VehicleDescription shipped_car() {
 // vertical springs. Its stops stay; a test keeps the travel inside them.
 inline VehicleDescription conservative_car() {
     VehicleDescription car = paper_car();
-    for (CornerDescription& corner : car.corners) {
-        corner.damper = {{-1, 1}, {0, 0}};
-        const auto& tire = std::get<LinearTireDescription>(corner.tire);
-        corner.tire = SpringTireDescription{tire.radius, tire.rolling_radius, tire.vertical_stiffness};
+    for (SuspensionDescription& suspension : car.suspensions) {
+        suspension.dampers[0].damper = {{-1, 1}, {0, 0}};
+        const auto& tire = std::get<LinearTireDescription>(suspension.wheels[0].tire);
+        suspension.wheels[0].tire = SpringTireDescription{tire.radius, tire.rolling_radius, tire.vertical_stiffness};
     }
     car.aerodynamics = {};
     return car;

@@ -23,13 +23,9 @@ inline VehicleDescription shipped(const std::string& name) {
 inline VehicleDescription made_conservative(VehicleDescription car) {
     const DamperDescription none{{-1, 1}, {0, 0}};
     const auto soften = [](TireDescription& tire) { tire = spring_of(tire); };
-    for (CornerDescription& corner : car.corners) {
-        corner.damper = none, corner.bump = corner.rebound = {};
-        soften(corner.tire);
-    }
-    for (ComposedSpokeDescription& spoke : car.composed) {
-        for (ComposedDamperDescription& damper : spoke.dampers) damper.damper = none;
-        for (ComposedWheelDescription& wheel : spoke.wheels) wheel.bump = wheel.rebound = {}, soften(wheel.tire);
+    for (SuspensionDescription& suspension : car.suspensions) {
+        for (SuspensionDamperDescription& damper : suspension.dampers) damper.damper = none;
+        for (SuspensionWheelDescription& wheel : suspension.wheels) wheel.bump = wheel.rebound = {}, soften(wheel.tire);
     }
     for (TrailerDescription& trailer : car.trailers) trailer.yaw_damping = 0;
     car.aerodynamics = {};

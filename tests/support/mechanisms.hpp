@@ -16,7 +16,7 @@ using Vec = Vec3<double>;
 using Places = std::vector<Pose<double>>;  // of the bodies, from design to now
 
 struct Mechanism {
-    ComposedSpokeDescription spoke;
+    SuspensionDescription spoke;
     Vec gravity{0, 0, 0};                  // [m/s^2]
     std::function<Places(double)> places;  // at an angle of the crank from design, loops closed on the branch of design
 };

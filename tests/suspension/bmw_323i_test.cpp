@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "support/car.hpp"
+#include "support/hardpoints.hpp"
 
 namespace hamilcar {
 namespace {
@@ -15,16 +16,17 @@ constexpr double degree = 180 / std::numbers::pi;
 constexpr double angle_tolerance = 0.02;   // [deg]
 constexpr double length_tolerance = 2e-4;  // [m]; hardpoints are printed to 0.1 mm
 
-// One corner held at a wheel travel and a rack displacement.
-class Corner {
+// One suspension held at a wheel travel and a rack displacement.
+class HeldSuspension {
 public:
-    explicit Corner(int index) : model_(test::make_model(test::paper_car())), index_(index) {
+    explicit HeldSuspension(std::size_t index) : model_(test::make_model(test::paper_car())), index_(index) {
         state_ = design_state(model_, Vec3<double>::Zero(), Mat3<double>::Identity());
         EXPECT_TRUE(assemble(model_, input_.rack, state_).assembled);
     }
 
     struct Figures {
-        double independent, camber, toe, steer;    // [m or rad], [deg]
+        double independent, spring;                // [m or rad], [m]
+        double camber, toe, steer;                 // [deg]
         Vec3<double> center_shift, contact_shift;  // [m]
     };
 
@@ -32,37 +34,40 @@ public:
         constexpr int lead_in = 20;
         for (int i = 1; i <= lead_in; ++i) move_to(travel * i / lead_in, rack * i / lead_in);
         const auto velocity = velocity_block(model_, state_, input_);
-        return visit_spoke(model_.vehicle, velocity, index_,
-                           [&](const Spoke<double>& spoke, const auto&, const auto& at) {
-                               const Vec3<double>& e = at.spin_axis;
-                               const Vec3<double> center = at.position.pose.point(spoke.wheel.center);
-                               const auto contact = [&](const Vec3<double>& hub, const Vec3<double>& axis) {
-                                   const Vec3<double> down = (Vec3<double>::UnitZ() - axis * axis[2]).normalized();
-                                   return Vec3<double>(hub - down * hub_height);
-                               };
-                               return Figures{state_.spoke(index_).independent[0],
-                                              -degree * std::asin(e[2]),
-                                              degree * std::atan2(e[0], e[1]),
-                                              -degree * std::atan2(e[0], e[1]),
-                                              center - spoke.wheel.center,
-                                              contact(center, e) - contact(spoke.wheel.center, spoke.wheel.axis)};
-                           });
+        const SuspensionVelocity<double>& at = velocity.suspensions[index_];
+        const Vec3<double>& e = at.axis[0];
+        const auto contact = [](const Vec3<double>& hub, const Vec3<double>& axis) {
+            const Vec3<double> down = (Vec3<double>::UnitZ() - axis * axis[2]).normalized();
+            return Vec3<double>(hub - down * hub_height);
+        };
+        const auto own = suspension().state(state_.values.data());
+        const double spring =
+            suspension().linkage.line(suspension().springs[0].line, at.at, own.independent, own.dependent).length;
+        return {own.independent[0],
+                spring,
+                -degree * std::asin(e[2]),
+                degree * std::atan2(e[0], e[1]),
+                -degree * std::atan2(e[0], e[1]),
+                at.center[0] - wheel().center,
+                contact(at.center[0], e) - contact(wheel().center, wheel().axis)};
     }
 
     // Of the steering axis, from the ball joint to the strut's top [deg].
     double caster_at(double travel) {
         at(travel);
-        const VehicleDescription car = test::paper_car();
-        const auto& points = std::get<MacPhersonDescription>(car.corners[0].suspension);
+        const test::MacPhersonPoints points = test::strut_points(test::paper_car().suspensions[index_]);
         const auto velocity = velocity_block(model_, state_, input_);
-        return visit_spoke(model_.vehicle, velocity, index_, [&](const auto&, const auto&, const auto& spoke) {
-            const Vec3<double> C = spoke.position.pose.point(vec3(points.ball_joint)), T = vec3(points.strut_top);
-            return degree * std::atan2(C[0] - T[0], T[2] - C[2]);
-        });
+        const Placement<double>& carrier = velocity.suspensions[index_].at.pose[carrier_frame()];
+        const Vec3<double> C = carrier.point(vec3(points.ball_joint)), T = vec3(points.strut_top);
+        return degree * std::atan2(C[0] - T[0], T[2] - C[2]);
     }
 
 private:
     static constexpr double hub_height = 0.28;  // wheel center over ground at design [m]
+
+    const Suspension<double>& suspension() const { return model_.vehicle.suspensions[index_]; }
+    const Wheel<double>& wheel() const { return suspension().wheels[0].wheel; }
+    std::size_t carrier_frame() const { return static_cast<std::size_t>(suspension().wheels[0].frame); }
 
     // Newton on the independent coordinate until the wheel center stands at that travel.
     void move_to(double travel, double rack) {
@@ -70,18 +75,18 @@ private:
         for (int i = 0; i < 20; ++i) {
             ASSERT_TRUE(assemble(model_, input_.rack, state_).assembled);
             const auto velocity = velocity_block(model_, state_, input_);
-            visit_spoke(model_.vehicle, velocity, index_, [&](const Spoke<double>& spoke, const auto&, const auto& at) {
-                const Vec3<double> center = at.position.pose.point(spoke.wheel.center);
-                const double slope = velocity_at<double>(Spatial<double>(at.position.J.col(0)), center)[2];
-                state_.spoke(index_).independent[0] -= (center[2] - spoke.wheel.center[2] - travel) / slope;
-            });
+            const SuspensionVelocity<double>& at = velocity.suspensions[index_];
+            const Spatial<double> J = at.at.motion.J[carrier_frame()].col(0);
+            const double slope = velocity_at<double>(J, at.center[0])[2];
+            suspension().state(state_.values.data()).independent[0] -=
+                (at.center[0][2] - wheel().center[2] - travel) / slope;
         }
     }
 
     Model<double> model_;
     Input<double> input_;
     State<double> state_;
-    int index_;
+    std::size_t index_;
 };
 
 struct FrontRow {
@@ -94,13 +99,13 @@ class FrontKinematics : public testing::TestWithParam<FrontRow> {};
 
 TEST_P(FrontKinematics, IsThatDerivedFromTheHardpoints) {
     const FrontRow row = GetParam();
-    const auto f = Corner(0).at(1e-3 * row.travel_mm);
+    const auto f = HeldSuspension(0).at(1e-3 * row.travel_mm);
     EXPECT_NEAR(f.camber, row.camber, angle_tolerance);
     EXPECT_NEAR(f.toe, row.toe, angle_tolerance);
     EXPECT_NEAR(f.center_shift[0], 1e-3 * row.center_x_mm, length_tolerance);
     EXPECT_NEAR(f.contact_shift[1], 1e-3 * row.contact_y_mm, length_tolerance);
-    EXPECT_NEAR(f.independent, 1e-3 * row.strut_mm, length_tolerance);
-    EXPECT_NEAR(Corner(0).caster_at(1e-3 * row.travel_mm), row.caster, angle_tolerance);
+    EXPECT_NEAR(f.spring, 1e-3 * row.strut_mm, length_tolerance);  // it is as long as the strut
+    EXPECT_NEAR(HeldSuspension(0).caster_at(1e-3 * row.travel_mm), row.caster, angle_tolerance);
 }
 
 INSTANTIATE_TEST_SUITE_P(Travel, FrontKinematics,
@@ -124,7 +129,7 @@ class RearKinematics : public testing::TestWithParam<RearRow> {};
 
 TEST_P(RearKinematics, IsThatDerivedFromTheHardpoints) {
     const RearRow row = GetParam();
-    const auto f = Corner(2).at(1e-3 * row.travel_mm);
+    const auto f = HeldSuspension(2).at(1e-3 * row.travel_mm);
     EXPECT_NEAR(f.camber, row.camber, angle_tolerance);
     EXPECT_NEAR(f.toe, row.toe, angle_tolerance);
     EXPECT_NEAR(f.center_shift[0], 1e-3 * row.center_x_mm, length_tolerance);
@@ -141,10 +146,10 @@ INSTANTIATE_TEST_SUITE_P(Travel, RearKinematics,
                                          RearRow{80, -4.527, 0.742, 7.45, 11.55}));
 
 TEST(RearArm, AnglesAreThoseDerivedFromTheHardpoints) {
-    EXPECT_NEAR(degree * Corner(2).at(0.02).independent, 2.739, angle_tolerance);
-    EXPECT_NEAR(degree * Corner(2).at(-0.02).independent, -2.739, angle_tolerance);
-    EXPECT_NEAR(degree * Corner(2).at(0.08).independent, 11.020, angle_tolerance);
-    EXPECT_NEAR(degree * Corner(2).at(-0.08).independent, -11.020, angle_tolerance);
+    EXPECT_NEAR(degree * HeldSuspension(2).at(0.02).independent, 2.739, angle_tolerance);
+    EXPECT_NEAR(degree * HeldSuspension(2).at(-0.02).independent, -2.739, angle_tolerance);
+    EXPECT_NEAR(degree * HeldSuspension(2).at(0.08).independent, 11.020, angle_tolerance);
+    EXPECT_NEAR(degree * HeldSuspension(2).at(-0.08).independent, -11.020, angle_tolerance);
 }
 
 // At the design height the left wheel steers with the rack: the change of the wheel's heading from straight ahead.
@@ -157,14 +162,14 @@ void PrintTo(const SteerRow& row, std::ostream* out) {
 class Steer : public testing::TestWithParam<SteerRow> {};
 
 TEST_P(Steer, FollowsTheRack) {
-    const double straight = Corner(0).at(0).steer;
-    EXPECT_NEAR(Corner(0).at(0, 1e-3 * GetParam().rack_mm).steer - straight, GetParam().steer, angle_tolerance);
+    const double straight = HeldSuspension(0).at(0).steer;
+    EXPECT_NEAR(HeldSuspension(0).at(0, 1e-3 * GetParam().rack_mm).steer - straight, GetParam().steer, angle_tolerance);
 }
 
 // A strut whose tie rod ends on the chassis, as on a rear axle, does not hear the rack.
 TEST(UnsteeredStrut, IgnoresTheRack) {
     VehicleDescription car = test::paper_car();
-    std::get<MacPhersonDescription>(car.corners[0].suspension).steered = false;
+    car.suspensions[0].linkage.cuts.at(1).drive = {};  // tie rod
     const Model<double> model = test::make_model(car);
     State<double> straight = design_state(model, Vec3<double>::Zero(), Mat3<double>::Identity());
     ASSERT_TRUE(assemble(model, {}, straight).assembled);
@@ -172,12 +177,18 @@ TEST(UnsteeredStrut, IgnoresTheRack) {
     ASSERT_TRUE(assemble(model, {.displacement = 0.01}, turned).assembled);
     const Input<double> moving{.rack = {0.01, 0.2, 3}};
     const auto velocity = velocity_block(model, turned, moving);
-    const auto& left = std::get<SpokeVelocity<double, MacPherson<double>>>(velocity.spokes[0]);
-    const auto& right = std::get<SpokeVelocity<double, MacPherson<double>>>(velocity.spokes[1]);
-    EXPECT_EQ(left.position.x.norm(), 0);
-    EXPECT_GT(right.position.x.norm(), 0.1);
-    for (int j = 0; j < 3; ++j) EXPECT_NEAR(turned.spoke(0).dependent[j], straight.spoke(0).dependent[j], 1e-15);
-    EXPECT_GT(std::abs(turned.spoke(1).dependent[2] - straight.spoke(1).dependent[2]), 0.05);
+    const auto drift = [&](std::size_t i) {
+        return velocity.suspensions[i].at.motion.x[model.vehicle.suspensions[i].wheels[0].frame].norm();
+    };
+    const auto turned_by = [&](std::size_t i, int angle) {
+        const Suspension<double>& suspension = model.vehicle.suspensions[i];
+        return std::abs(suspension.state(turned.values.data()).dependent[angle] -
+                        suspension.state(straight.values.data()).dependent[angle]);
+    };
+    EXPECT_EQ(drift(0), 0);
+    EXPECT_GT(drift(1), 0.1);
+    for (int angle = 0; angle < 3; ++angle) EXPECT_LE(turned_by(0, angle), 1e-15);
+    EXPECT_GT(turned_by(1, 0), 0.05);  // about z
 }
 
 INSTANTIATE_TEST_SUITE_P(Rack, Steer,

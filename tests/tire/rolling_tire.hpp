@@ -7,7 +7,7 @@
 namespace hamilcar::test {
 
 inline LinearTireDescription paper_tire() {
-    return std::get<LinearTireDescription>(paper_car().corners[0].tire);
+    return std::get<LinearTireDescription>(paper_car().suspensions[0].wheels[0].tire);
 }
 
 // A contact at rest under a vertical load; on a road of friction factor one.

@@ -25,22 +25,23 @@ struct Cars {
 
 VehicleDescription stretched(VehicleDescription car) {
     car.chassis.mass *= 1.1;
-    for (CornerDescription& corner : car.corners) {
-        corner.wheel.center[1] *= 1.02;
-        corner.spring.rate *= 1.3;
-        corner.brake.max_torque *= 0.8;
-        if (corner.damper.force.size() > 1) corner.damper.force.back() *= 2;
-        if (auto* strut = std::get_if<MacPhersonDescription>(&corner.suspension)) strut->ball_joint[2] += 0.01;
-        if (auto* arm = std::get_if<SemiTrailingArmDescription>(&corner.suspension)) arm->outer_bush[2] += 0.01;
-        test::stretch(corner.tire, 1.05);
+    for (SuspensionDescription& suspension : car.suspensions) {
+        suspension.wheels[0].wheel.center[1] *= 1.02;
+        suspension.springs[0].spring.rate *= 1.3;
+        suspension.wheels[0].brake.max_torque *= 0.8;
+        if (suspension.dampers[0].damper.force.size() > 1) suspension.dampers[0].damper.force.back() *= 2;
+        if (!suspension.linkage.cuts.empty()) suspension.linkage.cuts[0].tip[2] += 0.01;  // the control arm's ball
+        suspension.linkage.joints[0].point[2] += 0.01;
+        test::stretch(suspension.wheels[0].tire, 1.05);
     }
     return car;
 }
 
 std::vector<Cars> cars() {
     const VehicleDescription shipped = test::paper_car(), conservative = test::conservative_car();
-    VehicleDescription mixed = shipped;  // a tire of another model at each corner
-    for (std::size_t i = 0; i < mixed.corners.size(); ++i) mixed.corners[i].tire = test::slip_tires()[i];
+    VehicleDescription mixed = shipped;  // a tire of another model at each suspension
+    for (std::size_t i = 0; i < mixed.suspensions.size(); ++i)
+        mixed.suspensions[i].wheels[0].tire = test::slip_tires()[i];
     return {{shipped, stretched(shipped)}, {conservative, stretched(conservative)}, {mixed, stretched(mixed)}};
 }
 
@@ -133,71 +134,69 @@ void expect_same(const std::vector<double>& lane, const std::vector<double>& alo
     }
 }
 
-// `ask(spoke, situation)` answers for a Spoke of any number; each spoke of each car is asked in pairs of situations.
+// `ask(suspension, situation)` answers for a Suspension of any number; each of each car is asked in pairs of situations.
 template <class Ask>
 void expect_same_on_any_number(const Ask& ask) {
     std::mt19937 source(5);
     std::uniform_real_distribution<double> unit(-1, 1);
-    for (const Cars& cars_abreast : cars()) {
-        const Vehicle<double> one(cars_abreast.one), other(cars_abreast.other);
-        for (std::size_t i = 0; i < one.spokes.size(); ++i) {
-            const auto ask_spoke = [&]<class T>(const Vehicle<T>& vehicle, const T* situation) {
+    for (const Cars& two_cars : cars()) {
+        const Vehicle<double> one(two_cars.one), other(two_cars.other);
+        for (std::size_t i = 0; i < one.suspensions.size(); ++i) {
+            const auto ask_suspension = [&]<class T>(const Vehicle<T>& vehicle, const T* situation) {
                 std::array<T, 12> x;
                 std::copy_n(situation, x.size(), x.begin());
-                return ask(vehicle.spokes[i], x).numbers;
+                return ask(vehicle.suspensions[i], x).numbers;
             };
-            const RecordedPair pair(one, other, 12, ask_spoke);
+            const RecordedPair pair(one, other, 12, ask_suspension);
             for (int trial = 0; trial < 50; ++trial) {
                 std::vector<double> here(12), there(12);
                 for (std::size_t k = 0; k < here.size(); ++k) here[k] = unit(source), there[k] = unit(source);
                 const auto lanes = pair.run(here, there);
-                expect_same(lanes[0], ask_spoke(one, here.data()), "spoke " + std::to_string(i));
-                expect_same(lanes[1], ask_spoke(other, there.data()), "spoke " + std::to_string(i));
+                expect_same(lanes[0], ask_suspension(one, here.data()), "suspension " + std::to_string(i));
+                expect_same(lanes[1], ask_suspension(other, there.data()), "suspension " + std::to_string(i));
             }
         }
     }
 }
 
-TEST(AnyNumber, CarriesEverySuspension) {
-    std::set<std::size_t> met;
-    expect_same_on_any_number([&]<class T>(const Spoke<T>& spoke, const std::array<T, 12>& x) {
-        met.insert(spoke.suspension.index());
-        return dispatch(spoke.suspension, [&](const auto& suspension) {
-            using Linkage = typename std::decay_t<decltype(suspension)>::Linkage;
-            std::array<T, Linkage::nV> V;
-            std::array<T, std::max(Linkage::nW, 1)> W;
-            Vector<T, Linkage::nV> V_rate;
-            for (std::size_t j = 0; j < V.size(); ++j) {
-                V[j] = T(0.4) + T(0.05) * x[j], V_rate[static_cast<int>(j)] = x[3 + j];
-            }
-            for (std::size_t j = 0; j < W.size(); ++j) W[j] = T(2) * x[6 + j];  // far enough for every quadrant
-            const RackMotion<T> rack{T(0.01) * x[9], x[10], x[11]};
-            const auto at = suspension.linkage.position(V.data(), W.data(), rack, T(30));
-            const auto rates = suspension.linkage.rates(at, V_rate, rack);
-            const auto spring = suspension.spring_line(at, V.data());
-            const auto damper = suspension.damper_line(at, V.data());
-            Answers<T> answers;
-            answers.add(at.J), answers.add(at.pose.R), answers.add(at.pose.p), answers.add(rates.J);
-            if constexpr (Linkage::nW > 0) {
-                answers.add(at.Phi), answers.add(at.H), answers.add(at.X), answers.add(at.closing);
-                answers.add(at.x), answers.add(at.determinant), answers.add(rates.W);
-                answers.add(suspension.linkage.drift_rate(at, rates, rack, T(30)));
-            }
-            answers.add(spring.length), answers.add(damper.rate(V_rate));
-            return answers;
-        });
+TEST(AnyNumber, CarriesLinkages) {
+    expect_same_on_any_number([]<class T>(const Suspension<T>& suspension, const std::array<T, 12>& x) {
+        const Linkage<T>& linkage = suspension.linkage;
+        std::array<T, max_freedoms> V, V_rate;
+        std::array<T, max_equations> W;
+        V[0] = T(0.05) * x[0], V_rate[0] = x[3];
+        for (std::size_t j = 0; j < 3; ++j) W[j] = T(2) * x[6 + j];  // far enough for every quadrant
+        const RackMotion<T> rack{T(0.01) * x[9], x[10], x[11]};
+        LinkagePosition<T> at;
+        linkage.find_position(V.data(), W.data(), rack, T(30), at);
+        LinkageRates<T> rates;
+        linkage.find_rates(at, V_rate, rack, rates);
+        std::array<Spatial<T>, max_frames> x_rate;
+        linkage.find_drift_rates(at, rates, rack, T(30), x_rate);
+        Answers<T> answers;
+        const auto frame = static_cast<std::size_t>(suspension.wheels[0].frame);
+        const Pose<T> pose = at.pose[frame].pose();
+        answers.add(pose.R), answers.add(pose.p), answers.add(at.determinant);
+        answers.add(Spatial<T>(at.motion.J[frame].col(0))), answers.add(at.motion.x[frame]);
+        answers.add(Spatial<T>(rates.motion.J[frame].col(0))), answers.add(x_rate[frame]);
+        for (std::size_t e = 0; e < static_cast<std::size_t>(linkage.nW()); ++e) {
+            answers.add(at.Phi[e]), answers.add(at.closing[e]);
+        }
+        const LineOfAction<T> line = linkage.line(suspension.springs[0].line, at, V.data(), W.data());
+        answers.add(line.length), answers.add(line.gradient[0]), answers.add(line.drift);
+        return answers;
     });
-    EXPECT_EQ(met.size(), std::variant_size_v<Suspension<double>>) << "no vehicle here has some suspension of the list";
 }
 
 TEST(AnyNumber, CarriesEveryTire) {
     std::set<std::size_t> met;
-    expect_same_on_any_number([&]<class T>(const Spoke<T>& spoke, const std::array<T, 12>& x) {
-        met.insert(spoke.tire.index());
-        return dispatch(spoke.tire, [&](const auto& tire) {
+    expect_same_on_any_number([&]<class T>(const Suspension<T>& suspension, const std::array<T, 12>& x) {
+        const SuspensionWheel<T>& wheel = suspension.wheels[0];
+        met.insert(wheel.tire.index());
+        return dispatch(wheel.tire, [&](const auto& tire) {
             const RoadPlane<T> road{Vec3<T>(T(0.1) * x[0], T(0.1) * x[1], T(1)), T(0.1) * x[2], T(0.9)};
             const Vec3<T> axis(T(0.2) * x[3], T(1), T(0.2) * x[4]);
-            const auto frame = contact_frame<T>(road, spoke.wheel.center, axis, tire.radius);
+            const auto frame = contact_frame<T>(road, wheel.wheel.center, axis, tire.radius);
             // In the air and on the ground, rolling, slipping, sliding, either way.
             const auto force = tire.force({.depth = T(0.02) * x[5],
                                            .depth_rate = x[6],
@@ -230,8 +229,8 @@ TEST(AnyNumber, CarriesTheHull) {
         answers.add(found.wrench), answers.add(found.lost_power);
         return answers.numbers;
     };
-    for (const Cars& cars_abreast : cars()) {
-        const Vehicle<double> one(cars_abreast.one), other(cars_abreast.other);
+    for (const Cars& two_cars : cars()) {
+        const Vehicle<double> one(two_cars.one), other(two_cars.other);
         const auto ask = [&]<class T>(const Vehicle<T>& vehicle, const T* height) { return contact(vehicle, *height); };
         const RecordedPair pair(one, other, 1, ask);
         for (const auto& [here, there] : {std::pair(-1.0, 5.0), std::pair(5.0, -1.0), std::pair(-1.0, -2.0)}) {
@@ -244,12 +243,13 @@ TEST(AnyNumber, CarriesTheHull) {
 }
 
 TEST(AnyNumber, CarriesEveryForceAlongALineAndTheBrake) {
-    expect_same_on_any_number([]<class T>(const Spoke<T>& spoke, const std::array<T, 12>& x) {
-        const auto brake = spoke.brake.evaluate(max(x[0], T(0)), T(20) * x[1], T(0.1) * x[2]);
+    expect_same_on_any_number([]<class T>(const Suspension<T>& suspension, const std::array<T, 12>& x) {
+        const SuspensionWheel<T>& wheel = suspension.wheels[0];
+        const auto brake = wheel.brake.evaluate(max(x[0], T(0)), T(20) * x[1], T(0.1) * x[2]);
         Answers<T> answers;
-        for (const T& number : {spoke.spring.force(T(T(0.5) + T(0.1) * x[3])), spoke.damper.force(T(T(2) * x[4])),
-                                spoke.bump.force(T(T(0.2) * x[5])), spoke.rebound.force(T(T(0.2) * x[6])), brake.torque,
-                                brake.windup_rate}) {
+        for (const T& number : {suspension.springs[0].spring.force(T(T(0.5) + T(0.1) * x[3])),
+                                suspension.dampers[0].damper.force(T(T(2) * x[4])), wheel.bump.force(T(T(0.2) * x[5])),
+                                wheel.rebound.force(T(T(0.2) * x[6])), brake.torque, brake.windup_rate}) {
             answers.add(number);
         }
         return answers;

@@ -1,8 +1,8 @@
-// The constants of a suspension composed of parts, with everything that hangs on it, and of a trailer: a hub that is itself
-// carried by a spoke, the hitch. Both know where in a state their numbers stand.
+// The constants of a suspension, with everything that hangs on it, and of a trailer: a hub that is itself carried by a
+// linkage, the hitch. Both know where in a state their numbers stand.
 //
-//   spoke    independent V, dependent W, momenta P_V, then wheel by wheel: spin momentum, brake wind-up, u and v of each tire
-//   trailer  hitch angles, their momenta
+//   suspension  independent V, dependent W, momenta P_V, then wheel by wheel: spin momentum, brake wind-up, u and v of each tire
+//   trailer     hitch angles, their momenta
 #pragma once
 
 #include <array>
@@ -12,30 +12,31 @@
 #include "hamilcar/driveline/brake.hpp"
 #include "hamilcar/force/axial.hpp"
 #include "hamilcar/linkage/compose.hpp"
+#include "hamilcar/math/paired.hpp"
 #include "hamilcar/tire/list.hpp"
 #include "hamilcar/vehicle/wheel.hpp"
 
 namespace hamilcar {
 
-inline constexpr int max_bodies = 6;  // with a mass, of one spoke
-inline constexpr int max_wheels = 2;  // of one spoke
-inline constexpr std::size_t max_composed_wheels =
-    std::size_t{max_composed} * std::size_t{max_wheels};  // of all spokes
-inline constexpr int max_tires_abreast = 2;               // of one wheel
-inline constexpr int max_axial_elements = 6;              // springs, and as many dampers, of one spoke
+inline constexpr int max_bodies = 6;  // with a mass, of one suspension
+inline constexpr int max_wheels = 2;  // of one suspension
+inline constexpr std::size_t max_vehicle_wheels =
+    std::size_t{max_suspensions} * std::size_t{max_wheels};  // of a vehicle
+inline constexpr int max_tires = 2;                          // of one wheel
+inline constexpr int max_axial_elements = 6;                 // springs, and as many dampers, of one suspension
 
 template <class T>
-struct ComposedBody {
+struct SuspensionBody {
     int frame;
     RigidBody<T> body;
-    static constexpr auto members() { return std::tuple(&ComposedBody::frame, &ComposedBody::body); }
+    static constexpr auto members() { return std::tuple(&SuspensionBody::frame, &SuspensionBody::body); }
 };
 
 template <class T>
-struct ComposedWheel {
+struct SuspensionWheel {
     int frame, tires;  // tires: one, or two abreast
     int reaction;      // frame that the drive torque reacts on; 0: the hub
-    int offset;        // of its first number from the spoke's
+    int offset;        // of its first number from the suspension's
     Wheel<T> wheel;
     T half_spacing;  // of two tires from the wheel's center along the axis [m]
     Stop<T> bump, rebound;
@@ -43,7 +44,7 @@ struct ComposedWheel {
     Brake<T> brake;
     T drive_share;  // of the drive torque [1]
     static constexpr auto members() {
-        using W = ComposedWheel;
+        using W = SuspensionWheel;
         return std::tuple(&W::frame, &W::tires, &W::reaction, &W::offset, &W::wheel, &W::half_spacing, &W::bump,
                           &W::rebound, &W::tire, &W::brake, &W::drive_share);
     }
@@ -51,42 +52,44 @@ struct ComposedWheel {
 };
 
 template <class T>
-struct ComposedSpring {
+struct SuspensionSpring {
     ForceLine<T> line;
     Spring<T> spring;
-    static constexpr auto members() { return std::tuple(&ComposedSpring::line, &ComposedSpring::spring); }
+    static constexpr auto members() { return std::tuple(&SuspensionSpring::line, &SuspensionSpring::spring); }
 };
 
 template <class T>
-struct ComposedDamper {
+struct SuspensionDamper {
     ForceLine<T> line;
     Damper<T> damper;
-    static constexpr auto members() { return std::tuple(&ComposedDamper::line, &ComposedDamper::damper); }
+    static constexpr auto members() { return std::tuple(&SuspensionDamper::line, &SuspensionDamper::damper); }
 };
 
 // Pointers into the row of a state.
 template <class Number>
-struct ComposedState {
+struct SuspensionState {
     Number *independent, *dependent, *momentum;
 };
 template <class Number>
-struct ComposedWheelState {
+struct WheelState {
     Number &spin_momentum, &brake_windup;
     Number* deflection;  // u, v of the first tire, then of the second
 };
 
 template <class T>
-struct ComposedSpoke {
+struct Suspension {
     int unit, offset;
-    int first_wheel;  // its number among all wheels of composed spokes
-    ComposedLinkage<T> linkage;
-    std::vector<ComposedBody<T>> bodies;
-    std::vector<ComposedWheel<T>> wheels;
-    std::vector<ComposedSpring<T>> springs;
-    std::vector<ComposedDamper<T>> dampers;
+    int first_wheel;  // its number among all wheels
+    Linkage<T> linkage;
+    std::vector<SuspensionBody<T>> bodies;
+    std::vector<SuspensionWheel<T>> wheels;
+    std::vector<SuspensionWheel<Paired<T>>>
+        both_wheels;  // one: the two of an axle side by side, where T has a number for that
+    std::vector<SuspensionSpring<T>> springs;
+    std::vector<SuspensionDamper<T>> dampers;
     T inverse_design_determinant;  // 1 / det Phi_w at design
     static constexpr auto members() {
-        using S = ComposedSpoke;
+        using S = Suspension;
         return std::tuple(&S::unit, &S::offset, &S::first_wheel, &S::linkage, &S::bodies, &S::wheels, &S::springs,
                           &S::dampers, &S::inverse_design_determinant);
     }
@@ -94,38 +97,38 @@ struct ComposedSpoke {
     // How many numbers of a state are its own.
     int size() const {
         int count = linkage.nq() + linkage.nV();
-        for (const ComposedWheel<T>& wheel : wheels) count += ComposedWheel<T>::size(wheel.tires);
+        for (const SuspensionWheel<T>& wheel : wheels) count += SuspensionWheel<T>::size(wheel.tires);
         return count;
     }
     template <class Number>
-    ComposedState<Number> state(Number* values) const {
+    SuspensionState<Number> state(Number* values) const {
         Number* at = values + offset;
         return {at, at + linkage.nV(), at + linkage.nq()};
     }
     template <class Number>
-    ComposedWheelState<Number> wheel_state(int i, Number* values) const {
+    WheelState<Number> wheel_state(int i, Number* values) const {
         Number* at = values + offset + wheels[static_cast<std::size_t>(i)].offset;
         return {at[0], at[1], at + 2};
     }
 };
 
-// Numbers of one composed spoke in a state, at most.
-inline constexpr int composed_spoke_capacity =
-    max_coordinates + max_freedoms + max_wheels * ComposedWheel<double>::size(max_tires_abreast);
+// Numbers of one suspension in a state, at most.
+inline constexpr int suspension_capacity =
+    max_coordinates + max_freedoms + max_wheels * SuspensionWheel<double>::size(max_tires);
 
-// Two neighbors of one shape abreast in the lanes of a number, as the left and the right wheel's. Their `offset` is zero.
+// Two neighbors of one shape side by side in a number, as the left and the right wheel's. Their `offset` is zero.
 template <class S>
-struct ComposedPair {
-    ComposedSpoke<S> spokes;
+struct SuspensionPair {
+    Suspension<S> both;
     std::array<int, 2> offset;  // of each in the state
     int first;                  // number of the first
 };
 
 // The numbers of both, side by side.
 template <class S, class T>
-std::array<S, composed_spoke_capacity> gather_pair(const ComposedPair<S>& pair, const T* values) {
-    std::array<S, composed_spoke_capacity> out;
-    for (int k = 0; k < pair.spokes.size(); ++k) {
+std::array<S, suspension_capacity> gather_pair(const SuspensionPair<S>& pair, const T* values) {
+    std::array<S, suspension_capacity> out;
+    for (int k = 0; k < pair.both.size(); ++k) {
         out[static_cast<std::size_t>(k)] = S(std::array<T, 2>{values[pair.offset[0] + k], values[pair.offset[1] + k]});
     }
     return out;
@@ -135,7 +138,7 @@ template <class T>
 struct Trailer {
     int tow, offset;  // unit that pulls it; of its numbers in the state
     int yaw;          // which of the hitch's coordinates
-    ComposedLinkage<T> hitch;
+    Linkage<T> hitch;
     RigidBody<T> chassis;
     SpatialInertia<T> chassis_inertia;  // about the origin of the vehicle frame
     T yaw_damping;                      // of the hitch [N m s/rad]

@@ -1,4 +1,4 @@
-#include "hamilcar/run/scene_spoke.hpp"
+#include "hamilcar/run/scene_suspension.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,36 +27,36 @@ double distance(const Point& a, const Point& b) {
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-class SpokeDrawing {
+class SuspensionDrawing {
 public:
-    SpokeDrawing(const ComposedSpokeDescription& spoke, const PartPose& pose, Scene& scene)
-        : spoke_(spoke),
+    SuspensionDrawing(const SuspensionDescription& suspension, const PartPose& pose, Scene& scene)
+        : suspension_(suspension),
           pose_(pose),
           scene_(scene),
           first_frame_(scene.frames.size()),
-          points_(spoke.linkage.joints.size() + 1) {
-        for (std::size_t i = 0; i < spoke.linkage.joints.size(); ++i) {
-            scene_.frames.push_back({spoke.name + "." + as_name(spoke.linkage.joints[i].part), spoke.unit,
-                                     [pose, i](const Sample& s) { return pose(s, i + 1); }});
+          points_(suspension.linkage.joints.size() + 1) {
+        for (std::size_t i = 0; i < suspension.linkage.joints.size(); ++i) {
+            scene_.frames.push_back({suspension.name + "." + as_name(suspension.linkage.joints[i].part),
+                                     suspension.unit, [pose, i](const Sample& s) { return pose(s, i + 1); }});
         }
     }
 
     void draw() {
-        for (std::size_t i = 0; i < spoke_.linkage.joints.size(); ++i) add_joint(i);
-        for (const CutJointDescription& cut : spoke_.linkage.cuts) add_cut(cut);
-        for (const ComposedWheelDescription& wheel : spoke_.wheels) add_wheel(wheel);
+        for (std::size_t i = 0; i < suspension_.linkage.joints.size(); ++i) add_joint(i);
+        for (const CutJointDescription& cut : suspension_.linkage.cuts) add_cut(cut);
+        for (const SuspensionWheelDescription& wheel : suspension_.wheels) add_wheel(wheel);
         add_springs();
         for (std::size_t part = 1; part < points_.size(); ++part) outline(part);
     }
 
 private:
-    std::size_t frame(std::size_t part) const { return part == 0 ? spoke_.unit : first_frame_ + part - 1; }
+    std::size_t frame(std::size_t part) const { return part == 0 ? suspension_.unit : first_frame_ + part - 1; }
     void know(std::size_t part, const Point& point) {
         const auto near = [&](const Point& other) { return distance(point, other) < same_point; };
         if (part > 0 && std::ranges::none_of(points_[part], near)) points_[part].push_back(point);
     }
     void add(LinkKind kind, const std::string& name, const FramePoint& a, const FramePoint& b) {
-        scene_.links.push_back({kind, spoke_.name + "." + name, a, b});
+        scene_.links.push_back({kind, suspension_.name + "." + name, a, b});
     }
     // Along its axis, whole where both bushes are known.
     void add_hinge(const std::string& name, std::size_t base, const Point& bush, const Point& axis,
@@ -70,7 +70,7 @@ private:
     }
 
     void add_joint(std::size_t i) {
-        const TreeJointDescription& joint = spoke_.linkage.joints[i];
+        const TreeJointDescription& joint = suspension_.linkage.joints[i];
         if (joint.kind == TreeJoint::free || joint.kind == TreeJoint::prismatic) return;
         know(i + 1, joint.point), know(joint.parent, joint.point);
         if (joint.kind != TreeJoint::revolute) return;
@@ -84,12 +84,12 @@ private:
         FramePoint foot{frame(cut.base), cut.foot};
         if (driven) {
             foot.frame = scene_.frames.size();
-            scene_.frames.push_back({spoke_.name + "." + as_name(cut.name) + "_rack", spoke_.unit,
-                                     [pose = pose_, base = cut.base, drive = vec3(cut.drive)](const Sample& s) {
-                                         const Pose<double> on = pose(s, base);
-                                         return shifted(on,
-                                                        Vec3<double>(on.direction(drive * s.input.rack.displacement)));
-                                     }});
+            scene_.frames.push_back(
+                {suspension_.name + "." + as_name(cut.name) + "_rack", suspension_.unit,
+                 [pose = pose_, base = cut.base, drive = vec3(cut.drive)](const Sample& s) {
+                     const Pose<double> on = pose(s, base);
+                     return Pose<double>{on.R, on.p + on.direction(drive * s.input.rack.displacement)};
+                 }});
         } else {
             know(cut.base, cut.foot);
         }
@@ -102,7 +102,7 @@ private:
         }
     }
 
-    void add_wheel(const ComposedWheelDescription& wheel) {
+    void add_wheel(const SuspensionWheelDescription& wheel) {
         know(wheel.part, wheel.wheel.center);
         const double radius = casing_of(wheel.tire).radius, half = wheel.dual_spacing / 2;
         const bool two = wheel.dual_spacing > 0;
@@ -124,13 +124,13 @@ private:
             return {{{frame(line.base), line.on_base}, {frame(line.part), line.on_part}}};
         }
         int coordinate = *line.coordinate;
-        for (std::size_t i = 0; i < spoke_.linkage.joints.size(); ++i) {
-            const TreeJointDescription& joint = spoke_.linkage.joints[i];
+        for (std::size_t i = 0; i < suspension_.linkage.joints.size(); ++i) {
+            const TreeJointDescription& joint = suspension_.linkage.joints[i];
             coordinate -= freedoms(joint.kind);
             if (coordinate >= 0) continue;
             if (joint.kind != TreeJoint::prismatic || joint.parent == 0) return {};
             know(i + 1, joint.point);
-            const Point& seat = spoke_.linkage.joints[joint.parent - 1].point;
+            const Point& seat = suspension_.linkage.joints[joint.parent - 1].point;
             return {{{frame(joint.parent), seat}, {frame(i + 1), joint.point}}};
         }
         return {};
@@ -142,10 +142,10 @@ private:
     // A damper inside a spring is a strut.
     void add_springs() {
         std::vector<std::pair<FramePoint, FramePoint>> dampers;
-        for (const ComposedDamperDescription& damper : spoke_.dampers) {
+        for (const SuspensionDamperDescription& damper : suspension_.dampers) {
             if (const auto line = ends(damper.line)) dampers.push_back(*line);
         }
-        for (const ComposedSpringDescription& spring : spoke_.springs) {
+        for (const SuspensionSpringDescription& spring : suspension_.springs) {
             const auto line = ends(spring.line);
             if (!line) continue;
             const auto inside = std::erase_if(dampers, [&](const auto& damper) {
@@ -164,18 +164,19 @@ private:
         Point middle{};
         for (const Point& point : points) middle = along(middle, point, 1.0 / static_cast<double>(points.size()));
         std::vector<Point> centers;
-        for (const ComposedWheelDescription& wheel : spoke_.wheels) {
+        for (const SuspensionWheelDescription& wheel : suspension_.wheels) {
             if (wheel.part == part) centers.push_back(wheel.wheel.center);
         }
         if (centers.size() == 1) middle = centers[0];
         for (const Point& point : points) {
             if (distance(point, middle) > same_point) {
-                add(LinkKind::body, spoke_.linkage.joints[part - 1].part, {frame(part), middle}, {frame(part), point});
+                add(LinkKind::body, suspension_.linkage.joints[part - 1].part, {frame(part), middle},
+                    {frame(part), point});
             }
         }
     }
 
-    const ComposedSpokeDescription& spoke_;
+    const SuspensionDescription& suspension_;
     const PartPose& pose_;
     Scene& scene_;
     std::size_t first_frame_;
@@ -184,8 +185,8 @@ private:
 
 }  // namespace
 
-void add_spoke(const ComposedSpokeDescription& spoke, const PartPose& pose, Scene& scene) {
-    SpokeDrawing(spoke, pose, scene).draw();
+void add_suspension(const SuspensionDescription& suspension, const PartPose& pose, Scene& scene) {
+    SuspensionDrawing(suspension, pose, scene).draw();
 }
 
 }  // namespace hamilcar

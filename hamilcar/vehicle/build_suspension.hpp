@@ -1,9 +1,9 @@
-// The parts of a build that every kind of suspension shares, and those of composed suspensions and trailers.
+// Suspensions and trailers from their descriptions.
 #pragma once
 
 #include <stdexcept>
 
-#include "hamilcar/vehicle/composed.hpp"
+#include "hamilcar/vehicle/suspension.hpp"
 
 namespace hamilcar {
 
@@ -27,11 +27,12 @@ Stop<T> make_stop(const StopDescription& d) {
 template <class T>
 ForceLine<T> make_line(const LinkageDescription& linkage, const LineDescription& d) {
     return {frame_of_part(linkage, d.part), frame_of_part(linkage, d.base), d.coordinate.value_or(-1),
-            as<T>(vec3(d.on_part)), as<T>(vec3(d.on_base))};
+            as<T>(vec3(d.on_part)),         as<T>(vec3(d.on_base)),         T(d.at_design)};
 }
 
 template <class T>
-ComposedWheel<T> make_composed_wheel(const LinkageDescription& linkage, const ComposedWheelDescription& d, int offset) {
+SuspensionWheel<T> make_suspension_wheel(const LinkageDescription& linkage, const SuspensionWheelDescription& d,
+                                         int offset) {
     return {.frame = frame_of_part(linkage, d.part),
             .tires = d.dual_spacing > 0 ? 2 : 1,
             .reaction = frame_of_part(linkage, d.drive_reaction),
@@ -45,15 +46,7 @@ ComposedWheel<T> make_composed_wheel(const LinkageDescription& linkage, const Co
             .drive_share = T(d.drive_share)};
 }
 
-// How many numbers of a state a spoke takes.
-template <class T>
-int composed_size(const ComposedSpoke<T>& spoke) {
-    int size = 2 * spoke.linkage.nV() + spoke.linkage.nW();
-    for (const ComposedWheel<T>& wheel : spoke.wheels) size += ComposedWheel<T>::size(wheel.tires);
-    return size;
-}
-
-inline void check_sizes(const ComposedSpokeDescription& d) {
+inline void check_sizes(const SuspensionDescription& d) {
     const int coordinates = d.linkage.coordinate_count(), equations = d.linkage.equation_count();
     if (coordinates > max_coordinates || equations > max_equations || coordinates - equations > max_freedoms ||
         coordinates - equations < 1 || d.bodies.size() > std::size_t{max_bodies} ||
@@ -66,9 +59,9 @@ inline void check_sizes(const ComposedSpokeDescription& d) {
 
 // `offset`: where its numbers start in a state.
 template <class T>
-ComposedSpoke<T> make_composed(const ComposedSpokeDescription& d, int offset, int first_wheel) {
+Suspension<T> make_suspension(const SuspensionDescription& d, int offset, int first_wheel) {
     check_sizes(d);
-    ComposedSpoke<T> out;
+    Suspension<T> out;
     out.unit = static_cast<int>(d.unit), out.offset = offset, out.first_wheel = first_wheel;
     out.linkage = compose_for<T>(d.linkage);
     for (const auto& body : d.bodies) {
@@ -76,11 +69,11 @@ ComposedSpoke<T> make_composed(const ComposedSpokeDescription& d, int offset, in
     }
     int next = 2 * out.linkage.nV() + out.linkage.nW();
     for (const auto& wheel : d.wheels) {
-        out.wheels.push_back(make_composed_wheel<T>(d.linkage, wheel, next));
-        next += ComposedWheel<T>::size(out.wheels.back().tires);
+        out.wheels.push_back(make_suspension_wheel<T>(d.linkage, wheel, next));
+        next += SuspensionWheel<T>::size(out.wheels.back().tires);
     }
     const std::array<T, max_coordinates> design{};
-    ComposedPosition<T> at;
+    LinkagePosition<T> at;
     out.linkage.find_position(design.data(), design.data(), RackMotion<T>{}, T(0), at);
     out.inverse_design_determinant = T(1) / at.determinant;
     for (const auto& spring : d.springs) {

@@ -9,18 +9,18 @@
 
 namespace hamilcar::test {
 
-struct ComposedSample {
+struct LinkageSample {
     std::string name, keyword;
     LinkageDescription linkage;
     std::vector<CarriedPoint> wheels;
 };
-inline void PrintTo(const ComposedSample& sample, std::ostream* out) {
+inline void PrintTo(const LinkageSample& sample, std::ostream* out) {
     *out << sample.name;
 }
 
-inline ComposedSample sample(const Recipe& recipe, const Hardpoints& points, const std::string& suffix = "") {
+inline LinkageSample sample(const Recipe& recipe, const Hardpoints& points, const std::string& suffix = "") {
     const Composition made = recipe.compose(points);
-    ComposedSample out{std::string(recipe.keyword) + suffix, std::string(recipe.keyword), made.linkage, {}};
+    LinkageSample out{std::string(recipe.keyword) + suffix, std::string(recipe.keyword), made.linkage, {}};
     const Point center{0.01, 0.72, 0.3};
     for (std::size_t i = 0; i < made.carriers.size(); ++i) {
         out.wheels.push_back({made.carriers[i], i == 0 ? center : mirrored(center)});
@@ -117,7 +117,7 @@ inline Hardpoints strut_points() {
     return p;
 }
 
-inline std::vector<ComposedSample> composed_samples() {
+inline std::vector<LinkageSample> recipe_samples() {
     Hardpoints steered = solid_axle_points(), rocker = wishbone_points();
     steered.numbers["steered"] = 1;
     rocker.rod_on = "lower_arm";

@@ -1,9 +1,10 @@
-// The Velocity block for composed suspensions and trailers. A spoke with several bodies sums over them,
+// The Velocity block's suspensions and trailers. With h = Mhat (v_hub + J V' + x) + (0 ; e p_s) of its bodies and wheels and
+// P_V = sum J^T h, a suspension sums over them,
 //     m = sum J^T Mhat J,   C = sum Mhat J,   k = P_V - sum J^T (Mhat x + (0 ; e p_s))
-// and leaves its hub an inertia and a momentum, as every spoke does:
+// eliminates V' = m^-1 (k - C^T v_hub) and leaves its hub an inertia and a momentum:
 //     K = sum Mhat - C m^-1 C^T,   b = sum (Mhat x + (0 ; e p_s)) + C m^-1 k              // (58), (59)
-// A trailer is a hub that has done so with its own spokes; seen from the unit that pulls it K and b stand for Mhat and Mhat x,
-// and the hitch, a spoke without loops, is condensed by the same lines. So the cost stays linear in the number of bodies.
+// A trailer is a hub that has done so with its own suspensions; seen from the unit that pulls it K and b stand for Mhat and Mhat x,
+// and the hitch, a suspension without loops, is condensed by the same lines. So the cost stays linear in the number of bodies.
 #pragma once
 
 #include "hamilcar/block/condensed.hpp"
@@ -12,7 +13,7 @@
 
 namespace hamilcar {
 
-// A spoke's own equation m V' + C^T v_hub = k.
+// A suspension's own equation m V' + C^T v_hub = k.
 template <class T>
 struct OwnEquation {
     Matrix<T, 6, max_freedoms> C;
@@ -29,13 +30,13 @@ struct OwnEquation {
 };
 
 template <class T>
-struct ComposedVelocity {
-    ComposedPosition<T> at;
+struct SuspensionVelocity {
+    LinkagePosition<T> at;
     std::array<SpatialInertia<T>, max_bodies> inertia;
     std::array<Vec3<T>, max_wheels> center, axis, spin_momentum;  // of the wheels: e, e p_s
     OwnEquation<T> own;
     std::array<Spatial<T>, max_frames> motion;  // v_hub + J V' + x
-    ComposedVelocity() {}
+    SuspensionVelocity() {}
 };
 
 // The inertia and momentum of a hub with everything that hangs on it, in its axes about its origin.
@@ -48,34 +49,29 @@ struct CondensedHub {
 
 template <class T>
 struct TrailerVelocity {
-    ComposedPosition<T> hitch;  // against the unit that pulls it
-    Pose<T> pose;               // likewise
+    LinkagePosition<T> hitch;  // against the unit that pulls it
+    Pose<T> pose;              // likewise
     CondensedHub<T> condensed;
     OwnEquation<T> own;
     Spatial<T> motion;  // in the trailer's axes about its origin
     TrailerVelocity() {}
 };
 
-// S carries pairs; of a spoke that is one of a pair the list of all has what others ask for: `unpack`.
+// S carries pairs; of a suspension that is one of a pair the list of all has what others ask for: `unpack`.
 template <class T, class S = T>
-struct ComposedVelocities {
-    StaticVector<ComposedVelocity<T>, max_composed> spokes;
-    StaticVector<ComposedVelocity<S>, max_composed / 2> pairs;
+struct Velocity {
+    Health<T> health;
+    Mat3<T> R_GC;         // chassis to ground axes
+    Spatial<T> momentum;  // (p ; L) in chassis axes
+    Spatial<T> hub;       // v_1
+    StaticVector<SuspensionVelocity<T>, max_suspensions> suspensions;
+    StaticVector<SuspensionVelocity<S>, has_pairs<T> ? max_suspensions / 2 : 1> pairs;
     StaticVector<TrailerVelocity<T>, max_trailers> trailers;
+    Velocity() {}
 };
 
-// Number l of those abreast, place by place.
-template <class T, class S>
-void unpack(const S& from, int l, T& to) {
-    if constexpr (requires { from.size(); }) {
-        for (int i = 0; i < static_cast<int>(from.size()); ++i) unpack(from.data()[i], l, to.data()[i]);
-    } else {
-        to = lane(from, l);
-    }
-}
-
 template <class S, class T>
-RackMotion<S> abreast(const RackMotion<T>& rack) {
+RackMotion<S> in_both(const RackMotion<T>& rack) {
     return {S(rack.displacement), S(rack.rate), S(rack.acceleration)};
 }
 
@@ -92,7 +88,7 @@ Spatial<T> seen_from(const Pose<T>& pose, const Spatial<T>& motion) {
     return spatial<T>(pose.R.transpose() * velocity_at<T>(motion, pose.p), pose.R.transpose() * angular(motion));
 }
 
-// A spoke eliminates its own rates: K and b of what it carries become what it leaves the hub.
+// A suspension eliminates its own rates: K and b of what it carries become what it leaves the hub.
 template <class T>
 void condense(int n, const Matrix<T, max_freedoms, max_freedoms>& m, OwnEquation<T>& own, CondensedHub<T>& hub) {
     own.m_inverse = m;
@@ -117,10 +113,10 @@ void add_inertia(const SpatialInertia<T>& inertia, Matrix<T, 6, 6>& K) {
 
 // What it leaves its hub.
 template <class T>
-CondensedHub<T> condense_spoke(const ComposedSpoke<T>& spoke, const T* values, const RackMotion<T>& rack, const T& gain,
-                               ComposedVelocity<T>& out, Health<T>& health) {
-    const ComposedLinkage<T>& linkage = spoke.linkage;
-    const auto state = spoke.state(values);
+CondensedHub<T> condense_suspension(const Suspension<T>& suspension, const T* values, const RackMotion<T>& rack,
+                                    const T& gain, SuspensionVelocity<T>& out, Health<T>& health) {
+    const Linkage<T>& linkage = suspension.linkage;
+    const auto state = suspension.state(values);
     const int n = linkage.nV();
     linkage.find_position(state.independent, state.dependent, rack, gain, out.at);
     CondensedHub<T> own;
@@ -132,8 +128,8 @@ CondensedHub<T> condense_spoke(const ComposedSpoke<T>& spoke, const T* values, c
         own.b += h;
         for (int j = 0; j < n; ++j) out.own.k[j] -= out.at.motion.J[frame].col(j).dot(h);  // (57)
     };
-    for (std::size_t i = 0; i < spoke.bodies.size(); ++i) {
-        const auto& [frame, body] = spoke.bodies[i];
+    for (std::size_t i = 0; i < suspension.bodies.size(); ++i) {
+        const auto& [frame, body] = suspension.bodies[i];
         const Placement<T>& pose = out.at.pose[frame];
         const auto& J = out.at.motion.J[frame];
         out.inertia[i] =
@@ -146,38 +142,38 @@ CondensedHub<T> condense_spoke(const ComposedSpoke<T>& spoke, const T* values, c
         }
         add_momentum(frame, out.inertia[i] * out.at.motion.x[frame]);
     }
-    for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
-        const ComposedWheel<T>& wheel = spoke.wheels[i];
+    for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
+        const SuspensionWheel<T>& wheel = suspension.wheels[i];
         const Placement<T>& pose = out.at.pose[wheel.frame];
         out.center[i] = pose.point(wheel.wheel.center);
         out.axis[i] = pose.direction(wheel.wheel.axis);
-        out.spin_momentum[i] = out.axis[i] * spoke.wheel_state(static_cast<int>(i), values).spin_momentum;
+        out.spin_momentum[i] = out.axis[i] * suspension.wheel_state(static_cast<int>(i), values).spin_momentum;
         add_momentum(wheel.frame, spatial<T>(Vec3<T>::Zero(), out.spin_momentum[i]));
     }
     condense(n, m, out.own, own);
     T violation(0);
     for (int e = 0; e < linkage.nW(); ++e) violation = max(violation, abs(out.at.Phi[e]));
-    health = {violation, out.at.determinant * spoke.inverse_design_determinant};
+    health = {violation, out.at.determinant * suspension.inverse_design_determinant};
     return own;
 }
 
 // Both of a pair onto their hub, one after the other.
 template <class T, class S>
-void condense_pair(const ComposedPair<S>& pair, const T* values, const RackMotion<T>& rack, const T& gain,
-                   ComposedVelocities<T, S>& out, CondensedHub<T>& hub, Health<T>& health) {
+void condense_pair(const SuspensionPair<S>& pair, const T* values, const RackMotion<T>& rack, const T& gain,
+                   Velocity<T, S>& out, CondensedHub<T>& hub) {
     const auto numbers = gather_pair(pair, values);
     Health<S> both;
-    ComposedVelocity<S>& at = out.pairs.emplace_back();
-    const CondensedHub<S> own = condense_spoke<S>(pair.spokes, numbers.data(), abreast<S>(rack), S(gain), at, both);
+    SuspensionVelocity<S>& at = out.pairs.emplace_back();
+    const CondensedHub<S> own = condense_suspension<S>(pair.both, numbers.data(), in_both<S>(rack), S(gain), at, both);
     for (int l = 0; l < 2; ++l) {
         CondensedHub<T> one;
         unpack(own.K, l, one.K), unpack(own.b, l, one.b);
         hub.K += one.K, hub.b += one.b;
-        health.include({lane(both.violation, l), lane(both.mobility, l)});
-        ComposedVelocity<T>& spoke = out.spokes.emplace_back();
-        unpack(at.at.closing, l, spoke.at.closing);
-        unpack(at.center, l, spoke.center);
-        unpack(at.axis, l, spoke.axis);
+        out.health.include({lane(both.violation, l), lane(both.mobility, l)});
+        SuspensionVelocity<T>& suspension = out.suspensions.emplace_back();
+        unpack(at.at.closing, l, suspension.at.closing);
+        unpack(at.center, l, suspension.center);
+        unpack(at.axis, l, suspension.axis);
     }
 }
 
@@ -206,8 +202,8 @@ void condense_trailer(const Trailer<T>& trailer, const T* values, TrailerVelocit
 
 // All of them, onto the motor vehicle's chassis.
 template <class T, class S>
-CondensedSpoke<T> condense_composed(const Model<T>& model, const State<T>& state, const RackMotion<T>& rack,
-                                    ComposedVelocities<T, S>& out, Health<T>& health) {
+CondensedHub<T> condense_suspensions(const Model<T>& model, const State<T>& state, const RackMotion<T>& rack,
+                                     Velocity<T, S>& out) {
     const Vehicle<T>& vehicle = model.vehicle;
     CondensedHub<T> motor_vehicle;
     motor_vehicle.K.setZero(), motor_vehicle.b.setZero();
@@ -220,50 +216,47 @@ CondensedSpoke<T> condense_composed(const Model<T>& model, const State<T>& state
         return i == 0 ? motor_vehicle : out.trailers[static_cast<std::size_t>(i) - 1].condensed;
     };
     const T* values = state.values.data();
-    vehicle.for_each_composed(
+    vehicle.for_each_suspension(
         [&](std::size_t s) {
-            const ComposedSpoke<T>& spoke = vehicle.composed[s];
-            Health<T> own_health;
-            const CondensedHub<T> own =
-                condense_spoke(spoke, values, rack, model.stabilization_gain, out.spokes.emplace_back(), own_health);
-            unit(spoke.unit).K += own.K, unit(spoke.unit).b += own.b;
-            health.include(own_health);
+            const Suspension<T>& suspension = vehicle.suspensions[s];
+            Health<T> health;
+            const CondensedHub<T> own = condense_suspension(suspension, values, rack, model.stabilization_gain,
+                                                            out.suspensions.emplace_back(), health);
+            unit(suspension.unit).K += own.K, unit(suspension.unit).b += own.b;
+            out.health.include(health);
         },
         [&](const auto& pair, std::size_t) {
-            condense_pair(pair, values, rack, model.stabilization_gain, out, unit(pair.spokes.unit), health);
+            condense_pair(pair, values, rack, model.stabilization_gain, out, unit(pair.both.unit));
         });
     for (std::size_t i = vehicle.trailers.size(); i-- > 0;) {
         condense_trailer(vehicle.trailers[i], state.values.data(), out.trailers[i], unit(vehicle.trailers[i].tow));
     }
-    CondensedSpoke<T> share;
-    for_each_lower([&](int i, int j, std::size_t k) { share[k] = motor_vehicle.K(i, j); });
-    for (std::size_t i = 0; i < 6; ++i) share[21 + i] = motor_vehicle.b[static_cast<int>(i)];
-    return share;
+    return motor_vehicle;
 }
 
 // The motion of a unit's hub.
-template <class T, class Velocities>
-const Spatial<T>& unit_motion(int unit, const Spatial<T>& motor_vehicle, const Velocities& velocities) {
-    return unit == 0 ? motor_vehicle : velocities.trailers[static_cast<std::size_t>(unit) - 1].motion;
+template <class T, class S>
+const Spatial<T>& unit_motion(int unit, const Velocity<T, S>& velocity) {
+    return unit == 0 ? velocity.hub : velocity.trailers[static_cast<std::size_t>(unit) - 1].motion;
 }
 
 template <class T>
-void move_spoke(const ComposedSpoke<T>& spoke, const Spatial<T>& hub, ComposedVelocity<T>& at) {
-    const int n = spoke.linkage.nV();
+void move_suspension(const Suspension<T>& suspension, const Spatial<T>& hub, SuspensionVelocity<T>& at) {
+    const int n = suspension.linkage.nV();
     at.own.solve(n, hub);  // (58)
-    for (int frame = 0; frame <= spoke.linkage.nq(); ++frame) {
+    for (int frame = 0; frame <= suspension.linkage.nq(); ++frame) {
         at.motion[frame] = hub + at.at.motion.x[frame];  // (18), (42)
         for (int j = 0; j < n; ++j) at.motion[frame] += at.at.motion.J[frame].col(j) * at.own.V_rate[j];
     }
 }
 
-// The chassis is known: trailers from the front to the back and all spokes read off their rates.
+// The chassis's motion is known: trailers from the front to the back and all suspensions read off their rates.
 template <class T, class S>
-void move_composed(const Vehicle<T>& vehicle, const Spatial<T>& chassis, ComposedVelocities<T, S>& out) {
+void move_suspensions(const Vehicle<T>& vehicle, Velocity<T, S>& out) {
     for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
         const Trailer<T>& trailer = vehicle.trailers[i];
         TrailerVelocity<T>& at = out.trailers[i];
-        const Spatial<T>& tow = unit_motion(trailer.tow, chassis, out);
+        const Spatial<T>& tow = unit_motion(trailer.tow, out);
         at.own.solve(trailer.freedoms(), tow);
         Spatial<T> motion = tow;
         for (int j = 0; j < trailer.freedoms(); ++j) {
@@ -271,22 +264,22 @@ void move_composed(const Vehicle<T>& vehicle, const Spatial<T>& chassis, Compose
         }
         at.motion = seen_from(at.pose, motion);
     }
-    vehicle.for_each_composed(
+    vehicle.for_each_suspension(
         [&](std::size_t s) {
-            const ComposedSpoke<T>& spoke = vehicle.composed[s];
-            move_spoke(spoke, unit_motion(spoke.unit, chassis, out), out.spokes[s]);
+            const Suspension<T>& suspension = vehicle.suspensions[s];
+            move_suspension(suspension, unit_motion(suspension.unit, out), out.suspensions[s]);
         },
         [&](const auto& pair, std::size_t number) {
-            ComposedVelocity<S>& at = out.pairs[number];
-            move_spoke(pair.spokes, abreast<S>(unit_motion(pair.spokes.unit, chassis, out)), at);
+            SuspensionVelocity<S>& at = out.pairs[number];
+            move_suspension(pair.both, in_both<S>(unit_motion(pair.both.unit, out)), at);
             for (int l = 0; l < 2; ++l) {
-                ComposedVelocity<T>& spoke =
-                    out.spokes[static_cast<std::size_t>(pair.first) + static_cast<std::size_t>(l)];
-                for (int frame = 0; frame <= pair.spokes.linkage.nq(); ++frame) {
-                    unpack(at.motion[frame], l, spoke.motion[frame]);
+                SuspensionVelocity<T>& suspension =
+                    out.suspensions[static_cast<std::size_t>(pair.first) + static_cast<std::size_t>(l)];
+                for (int frame = 0; frame <= pair.both.linkage.nq(); ++frame) {
+                    unpack(at.motion[frame], l, suspension.motion[frame]);
                 }
-                for (int j = 0; j < pair.spokes.linkage.nV(); ++j) {
-                    spoke.own.V_rate[j] = lane(at.own.V_rate[j], l);
+                for (int j = 0; j < pair.both.linkage.nV(); ++j) {
+                    suspension.own.V_rate[j] = lane(at.own.V_rate[j], l);
                 }
             }
         });

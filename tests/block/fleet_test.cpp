@@ -1,12 +1,10 @@
-// Vehicles of composed suspensions and trailers: the same car by the compiled and by the composed program, energy at the
-// method's order, the momenta that the state holds against those of the bodies, symmetry, lanes, nothing allocated.
+// Every shipped vehicle, trailers too: energy at the method's order, the momenta that the state holds against those of the bodies, symmetry, lanes, nothing allocated.
 #include <gtest/gtest.h>
 
 #include <cstring>
 
 #include "hamilcar/analysis/linear_model.hpp"
 #include "hamilcar/batch/batch.hpp"
-#include "hamilcar/suspension/compose_corner.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/fleet.hpp"
 
@@ -58,35 +56,28 @@ TEST_P(Fleet, MomentaAreThoseOfTheBodies) {
     const auto velocity = velocity_block(model, state, simulation.schedule()(simulation.time()));
     std::vector<Spatial<double>> unit{vehicle.chassis_inertia * velocity.hub};
     for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
-        unit.push_back(vehicle.trailers[i].chassis_inertia * velocity.composed.trailers[i].motion);
+        unit.push_back(vehicle.trailers[i].chassis_inertia * velocity.trailers[i].motion);
     }
-    for (int i = 0; i < vehicle.spoke_count(); ++i) {
-        visit_spoke(vehicle, velocity, i, [&](const auto&, const auto&, const auto& at) {
-            unit[0] += at.inertia * at.motion;
-            angular(unit[0]) += at.spin_momentum;
-        });
-    }
-    for (std::size_t s = 0; s < vehicle.composed.size(); ++s) {
-        const ComposedSpoke<double>& spoke = vehicle.composed[s];
-        const ComposedVelocity<double>& at = velocity.composed.spokes[s];
+    for (std::size_t s = 0; s < vehicle.suspensions.size(); ++s) {
+        const Suspension<double>& suspension = vehicle.suspensions[s];
+        const SuspensionVelocity<double>& at = velocity.suspensions[s];
         std::array<double, max_freedoms> P{};
         const auto add = [&](int frame, const Spatial<double>& h) {
-            unit[static_cast<std::size_t>(spoke.unit)] += h;
-            for (int j = 0; j < spoke.linkage.nV(); ++j) P[j] += at.at.motion.J[frame].col(j).dot(h);
+            unit[static_cast<std::size_t>(suspension.unit)] += h;
+            for (int j = 0; j < suspension.linkage.nV(); ++j) P[j] += at.at.motion.J[frame].col(j).dot(h);
         };
-        for (std::size_t i = 0; i < spoke.bodies.size(); ++i) {
-            add(spoke.bodies[i].frame, at.inertia[i] * at.motion[spoke.bodies[i].frame]);
+        for (std::size_t i = 0; i < suspension.bodies.size(); ++i) {
+            add(suspension.bodies[i].frame, at.inertia[i] * at.motion[suspension.bodies[i].frame]);
         }
-        for (std::size_t i = 0; i < spoke.wheels.size(); ++i) {
-            add(spoke.wheels[i].frame, spatial<double>(Vec3<double>::Zero(), at.spin_momentum[i]));
+        for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
+            add(suspension.wheels[i].frame, spatial<double>(Vec3<double>::Zero(), at.spin_momentum[i]));
         }
-        for (int j = 0; j < spoke.linkage.nV(); ++j) {
-            EXPECT_NEAR(P[j], spoke.state(state.values.data()).momentum[j], 1e-9 * (1 + std::abs(P[j])));
+        for (int j = 0; j < suspension.linkage.nV(); ++j) {
+            EXPECT_NEAR(P[j], suspension.state(state.values.data()).momentum[j], 1e-9 * (1 + std::abs(P[j])));
         }
     }
     for (std::size_t i = vehicle.trailers.size(); i-- > 0;) {
-        unit[static_cast<std::size_t>(vehicle.trailers[i].tow)] +=
-            carried_over(velocity.composed.trailers[i].pose, unit[i + 1]);
+        unit[static_cast<std::size_t>(vehicle.trailers[i].tow)] += carried_over(velocity.trailers[i].pose, unit[i + 1]);
     }
     EXPECT_LT((unit[0] - velocity.momentum).norm(), 1e-9 * unit[0].norm());
 }
@@ -103,7 +94,7 @@ TEST_P(Fleet, GivesTheSameBitsInLanes) {
     const VehicleDescription one = car();
     VehicleDescription other = one;
     other.chassis.mass *= 1.1;
-    for (ComposedSpokeDescription& spoke : other.composed) spoke.springs[0].spring.rate *= 1.2;
+    for (SuspensionDescription& suspension : other.suspensions) suspension.springs[0].spring.rate *= 1.2;
     std::vector<Simulation> cars;
     cars.emplace_back(one, test::everything_moves(one)), cars.emplace_back(other, test::everything_moves(other));
     Batch batch(cars, {});
@@ -139,11 +130,11 @@ TEST(Mirror, HoldsForComposedVehicles) {
 TEST(Mirror, TorsionBarsOfMirroredArmsTurnTheOtherWay) {
     for (const double sense : {-1.0, 1.0}) {
         VehicleDescription car = test::shipped("formula");
-        for (ComposedSpokeDescription& spoke : car.composed) {
+        for (SuspensionDescription& suspension : car.suspensions) {
             LineDescription about;
             about.coordinate = 0;
-            const bool right = spoke.name.ends_with("_right");
-            spoke.springs = {{spoke.name, about, {6000, 150 * (right ? sense : 1.0)}}};
+            const bool right = suspension.name.ends_with("_right");
+            suspension.springs = {{suspension.name, about, {6000, 150 * (right ? sense : 1.0)}}};
         }
         const Linearizer linearizer(car);
         const OperatingPoint at = linearizer.operating_point({});
@@ -168,15 +159,7 @@ TEST_P(Fleet, DrivesTheSameElsewhereAndTurned) {
     EXPECT_LT((moved - turned).norm(), 1e-8);
 }
 
-TEST(ComposedProgram, TakesThePathOfTheCompiledOne) {
-    const VehicleDescription car = test::shipped("bmw_323i"), composed = composed_throughout(car);
-    Simulation a(car, test::everything_moves(car)), b(composed, test::everything_moves(car));
-    test::run_to_end(a), test::run_to_end(b);
-    EXPECT_LT((a.state().position() - b.state().position()).norm(), 1e-9);
-    EXPECT_NEAR(a.sample().energy.kinetic, b.sample().energy.kinetic, 1e-6);
-}
-
-TEST(ComposedProgram, HoldsInTheStabilizedModeAndTheBryantChart) {
+TEST(Trailer, HoldsInTheStabilizedModeAndTheBryantChart) {
     const VehicleDescription car = test::shipped("truck_semitrailer");
     ScenarioDescription exact = test::everything_moves(car), paper = exact;
     paper.solver.constraints = ConstraintMode::stabilized, paper.solver.chart = ChassisChart::bryant;
@@ -190,10 +173,10 @@ TEST(Trailer, IsCarriedByAllWheels) {
     const Simulation simulation(car, test::scenario(1));
     const Sample s = simulation.sample();
     double load = 0;
-    for (std::size_t i = 0; i < car.composed.size(); ++i) {
-        for (std::size_t w = 0; w < car.composed[i].wheels.size(); ++w) {
-            const auto& f = s.momenta.composed.spokes[i].wheels[w];
-            load += f.tires[0].tire.Fz + (car.composed[i].wheels[w].dual_spacing > 0 ? f.tires[1].tire.Fz : 0);
+    for (std::size_t i = 0; i < car.suspensions.size(); ++i) {
+        for (std::size_t w = 0; w < car.suspensions[i].wheels.size(); ++w) {
+            const auto& f = s.momenta.suspensions[i].wheels[w];
+            load += f.tires[0].tire.Fz + (car.suspensions[i].wheels[w].dual_spacing > 0 ? f.tires[1].tire.Fz : 0);
         }
     }
     const double weight = s.model.vehicle.total_mass * s.model.vehicle.gravity;

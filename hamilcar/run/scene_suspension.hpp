@@ -8,6 +8,6 @@ namespace hamilcar {
 // Where a part of the suspension stands, in the axes of its unit.
 using PartPose = std::function<Pose<double>(const Sample&, std::size_t part)>;
 
-void add_spoke(const ComposedSpokeDescription& spoke, const PartPose& pose, Scene& scene);
+void add_suspension(const SuspensionDescription& suspension, const PartPose& pose, Scene& scene);
 
 }  // namespace hamilcar

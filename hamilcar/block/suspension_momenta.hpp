@@ -1,0 +1,181 @@
+// The Momenta block's suspensions and trailers. For a hitch the equation is that of a suspension with h and Qhat of everything
+// behind it, so that a trailer is a body like any other.
+#pragma once
+
+#include "hamilcar/block/momenta_of_suspension.hpp"
+#include "hamilcar/block/unit_place.hpp"
+
+namespace hamilcar {
+
+template <class T>
+struct TrailerMomenta {
+    std::array<T, max_freedoms> momentum_rate;
+    Spatial<T> external;           // on the trailer and all it pulls, in its axes about its origin
+    Surroundings<T> surroundings;  // as seen from its axes
+    TrailerMomenta() {}
+};
+
+template <class T>
+struct Momenta {
+    Spatial<T> external;  // (F ; N_O) on the whole car, chassis axes
+    T work_rate;          // [W]
+    StaticVector<SuspensionMomenta<T>, max_suspensions> suspensions;
+    StaticVector<TrailerMomenta<T>, max_trailers> trailers;
+    PowertrainMomenta<T> powertrain;  // where there is one
+    Momenta() {}
+};
+
+// Forces of the bars on the wheels along their travel, wheel by wheel.
+template <class T, class S>
+std::array<T, max_vehicle_wheels> anti_roll_forces(const Vehicle<T>& vehicle, const Velocity<T, S>& velocity) {
+    std::array<T, max_vehicle_wheels> travel, force;
+    for (std::size_t s = 0; s < vehicle.suspensions.size(); ++s) {
+        const Suspension<T>& suspension = vehicle.suspensions[s];
+        for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
+            const std::size_t number = static_cast<std::size_t>(suspension.first_wheel) + i;
+            travel[number] = velocity.suspensions[s].center[i][2] - suspension.wheels[i].wheel.center[2];
+            force[number] = T(0);
+        }
+    }
+    for (const AntiRollBar<T>& bar : vehicle.anti_roll_bars) {
+        const T pull = bar.rate * (travel[bar.left] - travel[bar.right]);
+        force[bar.left] -= pull;
+        force[bar.right] += pull;
+    }
+    return force;
+}
+
+template <class T>
+UnitPlace<T> behind(const UnitPlace<T>& tow, const Pose<T>& pose) {
+    return {tow.position + tow.R * pose.p, tow.R * pose.R};
+}
+
+template <class T>
+Surroundings<T> surroundings_of(const Model<T>& model, const UnitPlace<T>& place, const Spatial<T>& motion) {
+    return {model.road.seen_from(place.position, place.R), place.R.row(2).transpose() * (-model.vehicle.gravity),
+            motion, model.stabilization_gain};
+}
+
+// The hitch, once everything behind it is summed up; hands the force on to the unit that pulls.
+template <class T>
+void finish_trailer(const Trailer<T>& trailer, const TrailerVelocity<T>& at, const Spatial<T>& tow_motion,
+                    TrailerMomenta<T>& out, Spatial<T>& tow_external, T& work_rate) {
+    const int n = trailer.freedoms();
+    const Spatial<T> momentum = at.condensed.K * at.motion + at.condensed.b;
+    const Spatial<T> h = carried_over(at.pose, momentum), Q = carried_over(at.pose, out.external);
+    LinkageRates<T> rates;
+    trailer.hitch.find_rates(at.hitch, at.own.V_rate, RackMotion<T>{}, rates);
+    const Spatial<T> carried = Q - cross_force<T>(tow_motion, h);
+    for (int j = 0; j < n; ++j) {
+        out.momentum_rate[j] = at.hitch.motion.J[n].col(j).dot(carried) + rates.motion.J[n].col(j).dot(h);
+    }
+    const T yaw_rate = at.own.V_rate[trailer.yaw], damping = trailer.yaw_damping * yaw_rate;
+    out.momentum_rate[trailer.yaw] -= damping;
+    work_rate -= damping * yaw_rate;
+    tow_external += Q;
+}
+
+// One of a pair: what the rates of a state ask for.
+template <class T, class S>
+void unpack_rates(const SuspensionMomenta<S>& from, int l, SuspensionMomenta<T>& to) {
+    unpack(from.momentum_rate, l, to.momentum_rate);
+    unpack(from.W_rate, l, to.W_rate);
+    unpack(from.spin_momentum_rate, l, to.spin_momentum_rate);
+    unpack(from.windup_rate, l, to.windup_rate);
+    for (std::size_t i = 0; i < to.wheels.size(); ++i) {
+        for (std::size_t k = 0; k < to.wheels[i].tires.size(); ++k) {
+            const TireForce<S>& tire = from.wheels[i].tires[k].tire;
+            to.wheels[i].tires[k].tire.u_rate = lane(tire.u_rate, l);
+            to.wheels[i].tires[k].tire.v_rate = lane(tire.v_rate, l);
+        }
+    }
+}
+
+// All suspensions and trailers, with the torques of `shafts` on the wheels; adds to the motor vehicle's external wrench and
+// to the work.
+template <class T, class S>
+void suspension_momenta(const Model<T>& model, const State<T>& state, const Input<T>& input,
+                        const Velocity<T, S>& velocity, const Surroundings<T>& motor_vehicle,
+                        const std::array<T, max_vehicle_wheels>& shafts, Momenta<T>& out) {
+    const Vehicle<T>& vehicle = model.vehicle;
+    std::array<UnitPlace<T>, max_trailers + 1> places;
+    places[0] = {state.position(), velocity.R_GC};
+    for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
+        const Trailer<T>& trailer = vehicle.trailers[i];
+        TrailerMomenta<T>& own = out.trailers.emplace_back();
+        places[i + 1] = behind(places[static_cast<std::size_t>(trailer.tow)], velocity.trailers[i].pose);
+        own.surroundings = surroundings_of(model, places[i + 1], velocity.trailers[i].motion);
+        own.external = spatial<T>(own.surroundings.gravity * trailer.chassis.mass,
+                                  trailer.chassis_inertia.moment.cross(own.surroundings.gravity));
+    }
+    const std::array<T, max_vehicle_wheels> bars = anti_roll_forces(vehicle, velocity);
+    UnevenGround<RoadNumber<T>> uneven;
+    const auto world_of = [&](int unit) -> const Surroundings<T>& {
+        return unit == 0 ? motor_vehicle : out.trailers[static_cast<std::size_t>(unit) - 1].surroundings;
+    };
+    const auto ground_of = [&](int unit) {
+        return ground_below(model, places[static_cast<std::size_t>(unit)], world_of(unit).road, input.time, uneven);
+    };
+    const auto external_of = [&](int unit) -> Spatial<T>& {
+        return unit == 0 ? out.external : out.trailers[static_cast<std::size_t>(unit) - 1].external;
+    };
+    vehicle.for_each_suspension(
+        [&](std::size_t s) {
+            const Suspension<T>& suspension = vehicle.suspensions[s];
+            const GroundBelow<T> ground = ground_of(suspension.unit);
+            MomentaOfSuspension<T> momenta(suspension, velocity.suspensions[s], state.values.data(), input,
+                                           world_of(suspension.unit), ground, model.energy_balance,
+                                           out.suspensions.emplace_back());
+            momenta.add_bodies();
+            std::array<T, max_wheels> bar, shaft;
+            for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
+                const auto wheel = static_cast<std::size_t>(suspension.first_wheel) + i;
+                bar[i] = bars[wheel], shaft[i] = shafts[wheel];
+            }
+            momenta.add_wheels({suspension.first_wheel, suspension.first_wheel}, bar, shaft);
+            momenta.add_springs();
+            momenta.finish();
+            external_of(suspension.unit) += momenta.external();
+            out.work_rate += momenta.work();
+        },
+        [&](const auto& pair, std::size_t number) {
+            const int unit = pair.both.unit;
+            const auto numbers = gather_pair(pair, state.values.data());
+            const GroundBelow<T> ground = ground_of(unit);
+            const Surroundings<S> around = in_both<S>(world_of(unit));
+            const GroundBelow<S> below{around.road, ground.uneven};
+            const Input<S> inputs = in_both<S>(input);
+            SuspensionMomenta<S> both;
+            MomentaOfSuspension<S> momenta(pair.both, velocity.pairs[number], numbers.data(), inputs, around, below,
+                                           model.energy_balance, both);
+            momenta.add_bodies();
+            const auto first = static_cast<std::size_t>(pair.first);
+            const std::array<int, 2> wheels{vehicle.suspensions[first].first_wheel,
+                                            vehicle.suspensions[first + 1].first_wheel};
+            std::array<S, max_wheels> bar, shaft;
+            for (std::size_t i = 0; i < pair.both.wheels.size(); ++i) {
+                const auto left = static_cast<std::size_t>(wheels[0]) + i;
+                const auto right = static_cast<std::size_t>(wheels[1]) + i;
+                bar[i] = side_by_side<S>(bars[left], bars[right]);
+                shaft[i] = side_by_side<S>(shafts[left], shafts[right]);
+            }
+            momenta.add_wheels(wheels, bar, shaft);
+            momenta.add_springs();
+            momenta.finish();
+            for (int l = 0; l < 2; ++l) {
+                Spatial<T> wrench;
+                unpack(momenta.external(), l, wrench);
+                external_of(unit) += wrench;
+                out.work_rate += lane(momenta.work(), l);
+                unpack_rates(both, l, out.suspensions.emplace_back());
+            }
+        });
+    for (std::size_t i = vehicle.trailers.size(); i-- > 0;) {
+        const Trailer<T>& trailer = vehicle.trailers[i];
+        const auto tow = static_cast<std::size_t>(trailer.tow);
+        finish_trailer(trailer, velocity.trailers[i], unit_motion(trailer.tow, velocity), out.trailers[i],
+                       tow == 0 ? out.external : out.trailers[tow - 1].external, out.work_rate);
+    }
+}
+
+}  // namespace hamilcar

@@ -1,0 +1,56 @@
+// Two suspensions of one shape side by side in one number: the left and the right wheel of an axle cost little more than
+// one, and each place computes what the suspension alone would, bit for bit.
+#pragma once
+
+#include <array>
+
+#include "hamilcar/math/eigen.hpp"
+#include "hamilcar/math/traced.hpp"
+
+namespace hamilcar {
+
+// The number that holds two: for one that records, since a program computes both at once; all others have none.
+template <class T>
+struct PairedNumber {
+    using type = T;
+};
+template <class E>
+struct PairedNumber<Traced<E>> {
+    using type = Traced<E, 2>;
+};
+template <class T>
+using Paired = typename PairedNumber<T>::type;
+template <class T>
+inline constexpr bool has_pairs = !std::is_same_v<Paired<T>, T>;
+
+// The same in both places.
+template <class S, class T, int rows, int columns>
+Matrix<S, rows, columns> in_both(const Matrix<T, rows, columns>& same) {
+    Matrix<S, rows, columns> out;
+    for (int i = 0; i < rows * columns; ++i) out.data()[i] = S(same.data()[i]);
+    return out;
+}
+
+// Two numbers, or matrices, in one.
+template <class S, class T>
+S side_by_side(const T& left, const T& right) {
+    return S(std::array{left, right});
+}
+template <class S, class T, int rows, int columns>
+Matrix<S, rows, columns> side_by_side(const Matrix<T, rows, columns>& left, const Matrix<T, rows, columns>& right) {
+    Matrix<S, rows, columns> out;
+    for (int i = 0; i < rows * columns; ++i) out.data()[i] = side_by_side<S>(left.data()[i], right.data()[i]);
+    return out;
+}
+
+// One of the two, place by place.
+template <class T, class S>
+void unpack(const S& from, int place, T& to) {
+    if constexpr (requires { from.size(); }) {
+        for (int i = 0; i < static_cast<int>(from.size()); ++i) unpack(from.data()[i], place, to.data()[i]);
+    } else {
+        to = lane(from, place);
+    }
+}
+
+}  // namespace hamilcar
