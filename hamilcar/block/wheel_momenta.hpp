@@ -121,7 +121,7 @@ T lost_in_tire(const TireForces<T>& f) {
 template <class T>
 struct MovingWheel {
     T spin_momentum, brake_windup;
-    std::array<T, 2 * max_tires> deflection;  // u, v of the first tire, then of the second
+    std::array<T, std::size_t{2} * std::size_t{max_tires}> deflection;  // u, v of the first tire, then of the second
     Vec3<T> center, axis;
     Spatial<T> carrier;  // motion of its frame
     T drive_torque;      // on the wheel [N m]
