@@ -79,7 +79,7 @@ void add_suspension_energy(const Model<T>& model, const State<T>& state, const V
 // The plane that the hull is held against.
 template <class T>
 RoadPlane<T> hull_road(const Model<T>& model, const State<T>& state, const Velocity<T>& velocity) {
-    UnevenGround<RoadNumber<T>> uneven;
+    UnevenGround<T> uneven;
     const UnitPlace<T> place{state.position(), velocity.R_GC};
     const RoadPlane<T> plane = model.road.seen_from(place.position, place.R);
     return ground_of_hull(ground_below(model, place, plane, 0, uneven), model.vehicle.hull, velocity.hub).plane;

@@ -27,7 +27,7 @@ Momenta<T> momenta_block_of(const Model<T>& model, const State<T>& state, const 
     const Vehicle<T>& vehicle = model.vehicle;
     const UnitPlace<T> place{state.position(), velocity.R_GC};
     const Surroundings<T> world = surroundings_of(model, place, velocity.hub);
-    UnevenGround<RoadNumber<T>> uneven;
+    UnevenGround<T> uneven;
     const GroundBelow<T> below_chassis = ground_below(model, place, world.road, input.time, uneven);
     const Mat3<T>& R = velocity.R_GC;
     const Vec3<T> wind = R.row(0).transpose() * input.wind_x + R.row(1).transpose() * input.wind_y;

@@ -7,7 +7,7 @@
 
 namespace hamilcar {
 
-// A tire on the road, or one of two abreast.
+// A tire on the road: a wheel has one, or two (dual tires).
 struct RoadTire {
     const Tire<double>* tire;
     const TireForces<double>* forces;

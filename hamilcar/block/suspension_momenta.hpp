@@ -109,7 +109,7 @@ void suspension_momenta(const Model<T>& model, const State<T>& state, const Inpu
                                   trailer.chassis_inertia.moment.cross(own.surroundings.gravity));
     }
     const std::array<T, max_vehicle_wheels> bars = anti_roll_forces(vehicle, velocity);
-    UnevenGround<RoadNumber<T>> uneven;
+    UnevenGround<T> uneven;
     const auto world_of = [&](int unit) -> const Surroundings<T>& {
         return unit == 0 ? motor_vehicle : out.trailers[static_cast<std::size_t>(unit) - 1].surroundings;
     };

@@ -15,16 +15,10 @@ struct UnitPlace {
 // `plane`: the road's plane as seen from the unit; `storage` holds what an uneven road needs.
 template <class T>
 GroundBelow<T> ground_below(const Model<T>& model, const UnitPlace<T>& place, const RoadPlane<T>& plane, double time,
-                            UnevenGround<RoadNumber<T>>& storage) {
+                            UnevenGround<T>& storage) {
     if (!model.surface) [[likely]]
         return {plane, nullptr};
-    using E = RoadNumber<T>;
-    storage = {model.surface,
-               model.road.normal.template cast<E>(),
-               static_cast<E>(model.road.friction),
-               place.position.template cast<E>(),
-               place.R.template cast<E>(),
-               time};
+    storage = {model.surface, model.road.normal, model.road.friction, place.position, place.R, time};
     return {plane, &storage};
 }
 

@@ -74,7 +74,7 @@ Spatial<T> carrier_wrench(const Kind& tire, const TireForces<T>& f, const Vec3<T
 }
 
 // A tire that stands at `center` and turns with `omega` about the axis, its carrier moving with `motion` and its contact
-// deflected by u, v. Returns the wrench on the carrier with its wheel; adds to the torque about the axis.
+// deflected by u, v. Returns the wrench on the carrier with its wheel, and the torque about the axis.
 template <class T>
 Spatial<T> tire_wrench(const Tire<T>& any_tire, const GroundOfWheel<T>& below, const Vec3<T>& center,
                        const Vec3<T>& axis, const Spatial<T>& motion, const T& omega, const T& turning, const T& u,
@@ -117,7 +117,7 @@ T lost_in_tire(const TireForces<T>& f) {
            f.tire.rolling_moment * f.contact.omega + f.moment_power;
 }
 
-// How a wheel stands and moves, what drives it, and where its carrier pushes.
+// How a wheel stands and moves with its carrier, and what drives it.
 template <class T>
 struct MovingWheel {
     T spin_momentum, brake_windup;

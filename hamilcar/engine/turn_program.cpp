@@ -121,8 +121,8 @@ std::shared_ptr<const TurnProgram> turn_program(std::span<const Model<double>* c
 }
 
 const program::CallFunction* turn_functions(Precision precision) {
-    static constexpr program::CallFunction in_doubles[] = {answer_ground_question<double>};
-    static constexpr program::CallFunction in_singles[] = {answer_ground_question<float>};
+    static constexpr program::CallFunction in_doubles[] = {look_ground_up<double>};
+    static constexpr program::CallFunction in_singles[] = {look_ground_up<float>};
     return precision == Precision::double_precision ? in_doubles : in_singles;
 }
 

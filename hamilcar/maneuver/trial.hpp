@@ -28,7 +28,7 @@ struct History {
     std::vector<double> unit_speed;                // of the first power unit [rad/s]; empty without
     std::vector<std::vector<double>> wheel_load;   // of every wheel with all its tires, on the road [N]
     std::vector<std::vector<double>> wheel_speed;  // turning of every wheel [rad/s]
-    // Of every wheel's contact on the ground; of two tires abreast the outer one's, away from its unit's middle [m].
+    // Of every wheel's contact on the ground; of dual tires the outer one's, away from its unit's middle [m].
     std::vector<std::vector<double>> wheel_x, wheel_y;
 
     std::size_t size() const { return time.size(); }

@@ -40,6 +40,8 @@ struct SmoothRange {
         if (inside >= ramp) return N(1);
         return smooth_step(N((rising < falling ? at - N(from) : N(to) - at) * N(1 / ramp)));
     }
+    // Whether the weight is 1.
+    bool is_whole(double position) const { return std::min(position - from, to - position) >= ramp; }
 
 private:
     static constexpr double shortest = 1e-9;  // a sudden edge is a very steep one [m]

@@ -46,15 +46,15 @@ double coherence(double frequency, double width) {
 }  // namespace
 
 RandomRoad::RandomRoad(const RandomRoadDescription& d)
-    : along(d.start, d.length > 0 ? d.start + d.length : everywhere, d.fade),
-      per_meter(1 / d.spacing),
-      half_width(d.track_width / 2) {
+    : along_(d.start, d.length > 0 ? d.start + d.length : everywhere, d.fade),
+      per_meter_(1 / d.spacing),
+      per_half_width_(2 / d.track_width) {
     if (!(d.spacing > 0 && d.spacing <= widest_spacing)) throw std::invalid_argument("spacing of a road: 0 to 0.1 m");
     if (!(d.track_width > 0)) throw std::invalid_argument("the track width of a road is above zero");
     const double roughness = class_roughness(d.road_class);
     const std::size_t count =
-        std::bit_ceil(static_cast<std::size_t>(std::ceil(std::max(d.length, shortest_period) * per_meter)));
-    const double step = per_meter / static_cast<double>(count);  // from harmonic to harmonic [1/m]
+        std::bit_ceil(static_cast<std::size_t>(std::ceil(std::max(d.length, shortest_period) * per_meter_)));
+    const double step = per_meter_ / static_cast<double>(count);  // from harmonic to harmonic [1/m]
 
     std::vector<std::complex<double>> table(count);  // c in the real parts, d in the imaginary ones
     for (auto k = static_cast<std::uint32_t>(std::ceil(lowest_frequency / step)); k * step <= highest_frequency; ++k) {
@@ -74,8 +74,15 @@ RandomRoad::RandomRoad(const RandomRoadDescription& d)
         table[count - k] = {of_c.real() + of_d.imag(), of_d.real() - of_c.imag()};
     }
     fourier_transform(table);
-    knots.reserve(count);
-    for (const auto& value : table) knots.push_back({value.real(), value.imag()});
+    pieces_.reserve(count);
+    const auto knot = [&](std::size_t k) { return DoublePair{table[k % count].real(), table[k % count].imag()}; };
+    for (std::size_t k = 0; k < count; ++k) {
+        // A B-spline stays between its coefficients, and s(y) within 1.5.
+        highest_ = std::max(highest_, std::abs(table[k].real()) + 1.5 * std::abs(table[k].imag()));
+        const DoublePair before = knot(k + count - 1), from = knot(k), to = knot(k + 1), behind = knot(k + 2);
+        pieces_.push_back({(before + 4.0 * from + to) / 6.0, (to - before) / 2.0, (before + to) / 2.0 - from,
+                           (behind - before) / 6.0 + (from - to) / 2.0});
+    }
 }
 
 }  // namespace hamilcar

@@ -2,7 +2,6 @@
 // elements, each in a file of its own; all in plain numbers, whatever the car is computed in.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -40,21 +39,35 @@ public:
     Surface() = default;
     explicit Surface(const RoadDescription& description);
 
-    // Above the plane, upward along ground z, at several points [m].
-    template <class N, std::size_t count>
-    std::array<N, count> heights(const std::array<N, count>& x, const std::array<N, count>& y) const {
-        std::array<N, count> sum;
-        sum.fill(N(0));
+    // Above the plane, upward along ground z [m].
+    template <class N>
+    N height(const N& x, const N& y) const {
+        N sum(0);
         for (const SurfaceElement& element : elements_) {
-            dispatch(element, [&](const auto& one) {
-                for (std::size_t i = 0; i < count; ++i) sum[i] += one.height(x[i], y[i]);
-            });
+            dispatch(element, [&](const auto& one) { sum += one.height(x, y); });
         }
         return sum;
     }
-    template <class N>
-    N height(const N& x, const N& y) const {
-        return heights<N, 1>({x}, {y})[0];
+    // The plane that fits it best under a patch; with the post under the wheel of that number.
+    template <class T>
+    PatchPlane<T> under(const PatchPlace<T>& place, int wheel, double time) const {
+        if (value_of(place.clearance) > highest_) return {};
+        const PatchLines<T> lines(place);
+        PatchSums<T> sums;
+        for (const SurfaceElement& element : elements_) {
+            dispatch(element, [&](const auto& one) {
+                if constexpr (requires { one.add_to(sums, lines); }) {
+                    one.add_to(sums, lines);
+                } else {
+                    for (std::size_t i = 0; i < Patch::count; ++i) sums.add(i, one, lines.at(i));
+                }
+            });
+        }
+        PatchPlane<T> plane = sums.plane(place.radius);
+        const SignalValue<double> lift = post(wheel, time);
+        plane.height += T(lift.value), plane.height_rate += T(lift.rate);
+        if (has_patches()) plane.friction = T(friction(lines));
+        return plane;
     }
     // No height is above it; of measured roads nobody knows [m].
     double highest() const { return highest_; }
@@ -64,6 +77,17 @@ public:
         double factor = 1;
         for (const FrictionPatch& patch : patches_) factor *= 1 + (patch.friction - 1) * patch.weight(x, y);
         return factor;
+    }
+    template <class T>
+    double friction(const PatchLines<T>& lines) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < Patch::count; ++i) {
+            const PatchPoints<T> points = lines.at(i);
+            for (const int k : {0, 1}) {
+                sum += 0.5 * Patch::weights[i] * friction(value_of(points.x[k]), value_of(points.y[k]));
+            }
+        }
+        return sum;
     }
     // Height and rate of the post under a wheel, by its number [m, m/s].
     SignalValue<double> post(int wheel, double time) const {

@@ -12,7 +12,7 @@ namespace {
 constexpr double half_bush = 0.03;      // how long a hinge with one known point is drawn, each way [m]
 constexpr double tire_aspect = 0.65;    // width over unloaded radius: tire files need not know the width
 constexpr double same_point = 1e-3;     // [m]
-constexpr double dual_tire_room = 0.9;  // of the distance between two tires abreast
+constexpr double dual_tire_room = 0.9;  // of the distance between dual tires
 
 std::string as_name(std::string words) {
     std::ranges::replace(words, ' ', '_');

@@ -58,10 +58,9 @@ void Vehicle<T>::add_powertrain(const VehicleDescription& d) {
     if (state_size > state_capacity) throw std::length_error("the vehicle has more coordinates than a state can hold");
 }
 
-#ifndef HAMILCAR_INSTRUCTION_SET  // an engine links with nothing; elsewhere one file compiles this for all
+// vehicle.cpp compiles this for all.
 extern template Vehicle<double>::Vehicle(const VehicleDescription&);
 extern template void Vehicle<double>::add_suspensions(const VehicleDescription&);
 extern template void Vehicle<double>::add_powertrain(const VehicleDescription&);
-#endif
 
 }  // namespace hamilcar

@@ -34,7 +34,7 @@ struct SuspensionBody {
 
 template <class T>
 struct SuspensionWheel {
-    int frame, tires;  // tires: one, or two abreast
+    int frame, tires;  // tires: one, or two (dual tires)
     int reaction;      // frame that the drive torque reacts on; 0: the hub
     int offset;        // of its first number from the suspension's
     Wheel<T> wheel;
@@ -83,8 +83,8 @@ struct Suspension {
     Linkage<T> linkage;
     std::vector<SuspensionBody<T>> bodies;
     std::vector<SuspensionWheel<T>> wheels;
-    std::vector<SuspensionWheel<Paired<T>>>
-        both_wheels;  // one: the two of an axle side by side, where T has a number for that
+    // The two wheels of an axle side by side, where T has a number for that: none or one.
+    std::vector<SuspensionWheel<Paired<T>>> both_wheels;
     std::vector<SuspensionSpring<T>> springs;
     std::vector<SuspensionDamper<T>> dampers;
     T inverse_design_determinant;  // 1 / det Phi_w at design

@@ -12,7 +12,7 @@ namespace {
 const std::vector<Lane> one_lane{{0, 12, -2, 2}};
 
 // A combination that has rolled straight ahead from one row to the next, its trailer moved aside as a whole. The contacts are
-// written out from the description: of two tires abreast the outer one's.
+// written out from the description: of dual tires the outer one's.
 History rolled(const VehicleDescription& truck, double from, double to, double aside) {
     History history;
     const Point& center = truck.chassis.center_of_mass;

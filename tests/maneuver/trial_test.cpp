@@ -1,4 +1,4 @@
-// What is seen on a drive, against kinematics written out here: where trailers' wheels are, what tires abreast carry, how
+// What is seen on a drive, against kinematics written out here: where trailers' wheels are, what dual tires carry, how
 // the motor vehicle of a combination accelerates.
 #include "hamilcar/maneuver/trial.hpp"
 

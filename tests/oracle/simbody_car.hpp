@@ -31,7 +31,7 @@ struct TireState {
 struct WheelState {
     double spin = 0;               // relative to the carrier [rad/s]
     double b = 0;                  // brake wind-up [rad]
-    std::vector<TireState> tires;  // one, or two abreast: the first toward the spin axis
+    std::vector<TireState> tires;  // one, or two (dual tires): the first toward the spin axis
 };
 
 // A suspension: all coordinates of its description's tree in order, the dependent ones as well [m, rad].

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "hamilcar/math/rotation.hpp"
 
@@ -14,14 +15,25 @@ namespace {
 
 constexpr double radius = 0.3;
 
+const Vec3<double> turning(0.02, -0.3, 0.4);
+
 WheelAbove<double> rolling(double x, double y, double heading, double speed) {
     const Vec3<double> axis(-std::sin(heading) * 0.999, std::cos(heading) * 0.999, std::sqrt(1 - 0.999 * 0.999));
     return {.center = {x, y, radius - 0.015},
             .velocity = {speed * std::cos(heading), speed * std::sin(heading), 0.1},
             .axis = axis,
-            .axis_rate = Vec3<double>(0.02, -0.3, 0.4).cross(axis),
-            .radius = radius,
-            .number = 0};
+            .axis_rate = turning.cross(axis),
+            .radius = radius};
+}
+
+// From a unit that stands at the ground's origin.
+WheelRoad<double> fitted(const Surface& surface, const Vec3<double>& normal, double friction,
+                         const WheelAbove<double>& wheel, double time) {
+    const UnevenGround<double> ground{&surface, normal, friction, Vec3<double>::Zero(), Mat3<double>::Identity(), time};
+    const auto motion = spatial<double>(wheel.velocity - turning.cross(wheel.center), turning);
+    WheelRoad<double> road{{normal, 0, friction}, 0};
+    fit_ground<double>(ground, wheel.center, wheel.axis, motion, wheel.radius, 0, {0, 0}, road);
+    return road;
 }
 
 Vec3<double> plane_normal(double grade, double bank) {
@@ -32,10 +44,10 @@ TEST(Ground, OfAPlaneIsThePlane) {
     const Surface nothing{RoadDescription{}};
     const Vec3<double> n = plane_normal(0.2, -0.1);
     for (const double heading : {0.0, 0.7, 2.9}) {
-        const auto found = fit_plane<double>(nothing, n, 0.8, rolling(3, -2, heading, 10), 0);
-        for (int i = 0; i < 3; ++i) EXPECT_NEAR(found.normal[i], n[i], 1e-14);
-        EXPECT_NEAR(found.offset, 0, 1e-14);
-        EXPECT_NEAR(found.friction, 0.8, 1e-15);
+        const auto found = fitted(nothing, n, 0.8, rolling(3, -2, heading, 10), 0);
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(found.plane.normal[i], n[i], 1e-14);
+        EXPECT_NEAR(found.plane.offset, 0, 1e-14);
+        EXPECT_NEAR(found.plane.friction, 0.8, 1e-15);
         EXPECT_NEAR(found.rise, 0, 1e-12) << "a plane does not rise";
     }
 }
@@ -51,10 +63,10 @@ TEST(Ground, FollowsASlopeOfTheSurface) {
     RoadDescription road;
     road.grid = grid;
     const Surface surface(road);
-    const auto found = fit_plane<double>(surface, plane_normal(0, 0), 1, rolling(4, 7, 0.4, 20), 0);
+    const auto found = fitted(surface, plane_normal(0, 0), 1, rolling(4, 7, 0.4, 20), 0);
     const Vec3<double> n = plane_normal(0.1, -0.05);
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(found.normal[i], n[i], 1e-13);
-    EXPECT_NEAR(found.offset, n[2] * 0.3, 1e-13);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(found.plane.normal[i], n[i], 1e-13);
+    EXPECT_NEAR(found.plane.offset, n[2] * 0.3, 1e-13);
     EXPECT_NEAR(found.rise, 0, 1e-12);
 }
 
@@ -75,7 +87,7 @@ TEST(Ground, IsThePlaneOfLeastSquares) {
     std::uniform_real_distribution<double> place(-2, 4), turn(-3, 3);
     for (int trial = 0; trial < 50; ++trial) {
         const double x = place(random), y = 0.3 * place(random), heading = turn(random);
-        const auto found = fit_plane<double>(surface, plane_normal(0, 0), 1, rolling(x, y, heading, 0), 0);
+        const auto found = fitted(surface, plane_normal(0, 0), 1, rolling(x, y, heading, 0), 0);
         Mat3<double> A = Mat3<double>::Zero();
         Vec3<double> b = Vec3<double>::Zero();
         double friction = 0;
@@ -92,10 +104,10 @@ TEST(Ground, IsThePlaneOfLeastSquares) {
             }
         }
         const Vec3<double> fit = A.inverse() * b;  // z = fit0 + fit1 x + fit2 y
-        EXPECT_NEAR(-found.normal[0] / found.normal[2], fit[1], 1e-9);
-        EXPECT_NEAR(-found.normal[1] / found.normal[2], fit[2], 1e-9);
-        EXPECT_NEAR(found.offset / found.normal[2], fit[0], 1e-9);
-        EXPECT_NEAR(found.friction, friction, 1e-12);
+        EXPECT_NEAR(-found.plane.normal[0] / found.plane.normal[2], fit[1], 1e-9);
+        EXPECT_NEAR(-found.plane.normal[1] / found.plane.normal[2], fit[2], 1e-9);
+        EXPECT_NEAR(found.plane.offset / found.plane.normal[2], fit[0], 1e-9);
+        EXPECT_NEAR(found.plane.friction, friction, 1e-12);
     }
 }
 
@@ -108,17 +120,16 @@ TEST(Ground, RisesAsDifferencesSay) {
         WheelAbove<double> wheel = rolling(0.8, 0.2, 0.3, 15);
         wheel.center += t * wheel.velocity, wheel.axis += t * wheel.axis_rate;
         wheel.axis.normalize();
-        const auto found = fit_plane<double>(surface, plane_normal(0.02, 0.01), 1, wheel, 0.4 + t);
-        const double s = found.normal.dot(wheel.axis), c = std::sqrt(1 - s * s);
-        const Vec3<double> lowest = wheel.center - radius * (found.normal - s * wheel.axis) / c;
-        return found.offset - found.normal.dot(lowest);
+        const auto found = fitted(surface, plane_normal(0.02, 0.01), 1, wheel, 0.4 + t);
+        const double s = found.plane.normal.dot(wheel.axis), c = std::sqrt(1 - s * s);
+        const Vec3<double> lowest = wheel.center - radius * (found.plane.normal - s * wheel.axis) / c;
+        return found.plane.offset - found.plane.normal.dot(lowest);
     };
     const WheelAbove<double> wheel = rolling(0.8, 0.2, 0.3, 15);
-    const auto found = fit_plane<double>(surface, plane_normal(0.02, 0.01), 1, wheel, 0.4);
-    const double s = found.normal.dot(wheel.axis), c = std::sqrt(1 - s * s);
-    const Vec3<double> arm = -radius * (found.normal - s * wheel.axis) / c;
-    const Vec3<double> turning(0.02, -0.3, 0.4);
-    const double stated = found.rise - found.normal.dot(Vec3<double>(wheel.velocity + turning.cross(arm)));
+    const auto found = fitted(surface, plane_normal(0.02, 0.01), 1, wheel, 0.4);
+    const double s = found.plane.normal.dot(wheel.axis), c = std::sqrt(1 - s * s);
+    const Vec3<double> arm = -radius * (found.plane.normal - s * wheel.axis) / c;
+    const double stated = found.rise - found.plane.normal.dot(Vec3<double>(wheel.velocity + turning.cross(arm)));
     constexpr double h = 1e-5;
     EXPECT_NEAR(stated, (depth(h) - depth(-h)) / (2 * h), 1e-6 * (1 + std::abs(stated)));
     EXPECT_GT(std::abs(found.rise), 0.01) << "else this shows nothing";
@@ -152,7 +163,7 @@ TEST(Ground, OfWhatIsHighAboveIsThePlane) {
     const PlaneRoad<double> plane(0.03, 0.01, 0.9);
     const Vec3<double> position(2.7, 0.1, 0.5), center(0.2, 0.6, -0.2);
     const Mat3<double> R = axis_rotation<double>(Vec3<double>::UnitZ(), 0.4);
-    const UnevenGround<double> ground(&surface, plane.normal, 0.9, position, R, 0);
+    const UnevenGround<double> ground{&surface, plane.normal, 0.9, position, R, 0};
     const GroundBelow<double> below{plane.seen_from(position, R), &ground};
     const auto normal_for = [&](double clearance) {
         return below.under(center, Vec3<double>::UnitY(), Spatial<double>::Zero(), radius, clearance, {0, 0})
@@ -162,42 +173,56 @@ TEST(Ground, OfWhatIsHighAboveIsThePlane) {
     EXPECT_GT((normal_for(0.999 * surface.highest()) - below.plane.normal).norm(), 1e-3);
 }
 
-// Two cars in the lanes of a program's call, one on a plane: each gets what it would alone, bit for bit.
+// Three cars in the lanes of a program's call, one on a plane and one high above: each is told what it would be alone.
 TEST(Ground, LanesAreOnTheirOwn) {
     const Surface surface(rough());
-    const Mat3<double> R = axis_rotation<double>(Vec3<double>::UnitZ(), 0.4);
-    const PlaneRoad<double> plane(0.03, 0.01, 0.9);
-    const Vec3<double> position(0.7, 0.1, 0.5), center(0.2, 0.6, -0.2);
-    Spatial<double> motion;
-    motion << 12, 0.3, 0.1, 0.01, 0.02, 0.3;
-    const auto alone = [&](const Surface* below) {
-        const UnevenGround<double> ground(below, plane.normal, 0.9, position, R, 0);
-        const GroundBelow<double> wheel{plane.seen_from(position, R), below ? &ground : nullptr};
-        return wheel.under(center, Vec3<double>::UnitY(), motion, radius, 0, {0, 0});
-    };
-    using Question = GroundQuestion<double>;
-    const Question question{center, Vec3<double>::UnitY(),
-                            motion, radius,
-                            0,      position,
-                            R,      plane.normal,
-                            0.9,    {plane.seen_from(position, R), 0}};
-    std::array<double, 2 * Question::count> arguments;
-    std::array<double, 2 * Question::answer_count> found;
-    std::size_t next = 0;
-    Question::for_each(question, [&](double number) { arguments[next++] = number, arguments[next++] = number; });
-    ASSERT_EQ(next, arguments.size());
-    const std::array<const Surface*, 2> surfaces{&surface, nullptr};
+    const PatchPlace<double> place{0.7, 0.1, 0.2, 0.6, 12, 0.3, 0.8, -0.6, 0.06, 0.08, radius, 0};
+    PatchPlace<double> high = place;
+    high.clearance = 1.001 * surface.highest();
+    std::array<double, 3 * PatchPlace<double>::count> arguments;
+    std::array<double, 3 * PatchPlane<double>::count> found;
+    for (std::size_t l = 0; l < 3; ++l) {
+        std::size_t next = l;
+        PatchPlace<double>::for_each(l == 2 ? high : place, [&](double n) { arguments[next] = n, next += 3; });
+    }
+    const std::array<const Surface*, 3> surfaces{&surface, nullptr, &surface};
     const GroundBelowLanes below{surfaces.data(), 0};
-    answer_ground_question<double>(&below, 0, 2, arguments.data(), found.data());
-    const std::array<WheelRoad<double>, 2> expected{alone(&surface), alone(nullptr)};
-    for (std::size_t l = 0; l < 2; ++l) {
+    look_ground_up<double>(&below, 0, 3, arguments.data(), found.data());
+    const std::array<PatchPlane<double>, 3> expected{surface.under(place, 0, 0), {}, {}};
+    EXPECT_EQ(expected[0].found, 1);
+    EXPECT_NE(expected[0].height, 0);
+    for (std::size_t l = 0; l < 3; ++l) {
         std::size_t at = l;
-        Question::for_each_answer(expected[l], [&](double right) {
+        PatchPlane<double>::for_each(expected[l], [&](double right) {
             EXPECT_EQ(found[at], right);
-            at += 2;
+            at += 3;
         });
     }
-    EXPECT_NE(expected[0].plane.offset, expected[1].plane.offset);
+}
+
+// What doubles get by short cuts is what numbers with derivatives get the long way: on the road, at its ends, beside it.
+TEST(Ground, ShortCutsGiveTheSame) {
+    RoadDescription road;
+    road.random.push_back({.road_class = 'D', .start = 10, .length = 100, .fade = 5});
+    const Surface surface(road);
+    std::mt19937 source(3);
+    std::uniform_real_distribution<double> along(8, 112), across(-2, 2), turn(-3, 3);
+    using Number = Dual<double, 1>;
+    for (int i = 0; i < 5000; ++i) {
+        const double heading = turn(source), c = std::cos(heading), s = std::sin(heading);
+        const PatchPlace<double> place{-5, 2, 5 + along(source), -2 + across(source), 20, 3, c, s, -s, c, radius, 0};
+        PatchPlace<Number> same;
+        std::vector<double> numbers;
+        PatchPlace<double>::for_each(place, [&](double n) { numbers.push_back(n); });
+        std::size_t next = 0;
+        PatchPlace<Number>::for_each(same, [&](Number& n) { n = Number(numbers[next++]); });
+        std::vector<double> expected;
+        PatchPlane<Number>::for_each(surface.under(same, 0, 0),
+                                     [&](const Number& n) { expected.push_back(n.value()); });
+        next = 0;
+        PatchPlane<double>::for_each(surface.under(place, 0, 0),
+                                     [&](double n) { EXPECT_NEAR(n, expected[next++], 1e-11) << place.x; });
+    }
 }
 
 }  // namespace
