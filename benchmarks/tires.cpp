@@ -1,5 +1,5 @@
-// What a step of the BMW 323i costs on Magic Formula tires and on a rough road, over the same step on the paper's tire and a
-// plane: one car by every engine, and batches of both precisions, all in turn in one run.
+// What a step of the BMW 323i costs on Magic Formula tires over the same step on the paper's tire, and on a rough road over
+// the same tires on a plane: one car by every engine, and batches of both precisions, all in turn in one run.
 #include <fmt/format.h>
 
 #include <deque>
@@ -24,7 +24,7 @@ VehicleDescription car(const char* name) {
 void print(std::string_view engine, const char* what, const RaceResult& result) {
     fmt::print("  {:<10}{:<26}{:>8.0f} ns{:>8.0f} ns{:>7.2f}", engine, what, 1e9 * result.time(0), 1e9 * result.time(1),
                result.ratio(1, 0));
-    fmt::print("{:>9.0f} ns{:>7.2f}\n", 1e9 * result.time(2), result.ratio(2, 0));
+    fmt::print("{:>9.0f} ns{:>7.2f}\n", 1e9 * result.time(2), result.ratio(2, 1));
 }
 
 void one_car(const std::vector<Simulation>& simulations) {

@@ -16,8 +16,8 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 STAMPS = pathlib.Path(os.environ.get("XDG_CACHE_HOME", pathlib.Path.home() / ".cache")) / "hamilcar" / "tidy"
-# What only g++ knows.
-FOREIGN = re.compile(r" -m(move|store)-max=[0-9]+| -mmem(cpy|set)-strategy=\S*| --param=\S*")
+# What comes before the compiler, and the precompiled headers of g++: clang-tidy reads each source by itself.
+FOREIGN = re.compile(r"^.*ccache |(?<= )-Winvalid-pch |(?<= )-fpch-preprocess |(?<= )-include \S*cmake_pch\S* ")
 
 
 def commands(build):
@@ -33,7 +33,7 @@ def commands(build):
 
 def seen_text(entry):
     """What the compiler sees, with comments and without places."""
-    words = [word for word in shlex.split(entry["command"]) if not word.endswith("ccache")]
+    words = shlex.split(entry["command"])
     words = words[: words.index("-o")] + ["-E", "-P", "-C", "-w", entry["file"]]
     return subprocess.run(words, cwd=entry["directory"], check=True, capture_output=True).stdout
 
