@@ -17,38 +17,38 @@ void shift(Point& point, double x) {
 }
 
 // The same suspension further back.
-SuspensionDescription moved(SuspensionDescription spoke, double x, const std::string& name) {
-    spoke.name = name;
-    for (TreeJointDescription& joint : spoke.linkage.joints) shift(joint.point, x);
-    for (CutJointDescription& cut : spoke.linkage.cuts) shift(cut.tip, x), shift(cut.foot, x);
-    for (SuspensionBodyDescription& body : spoke.bodies) shift(body.body.center_of_mass, x);
-    for (SuspensionWheelDescription& wheel : spoke.wheels) {
+SuspensionDescription moved(SuspensionDescription suspension, double x, const std::string& name) {
+    suspension.name = name;
+    for (TreeJointDescription& joint : suspension.linkage.joints) shift(joint.point, x);
+    for (CutJointDescription& cut : suspension.linkage.cuts) shift(cut.tip, x), shift(cut.foot, x);
+    for (SuspensionBodyDescription& body : suspension.bodies) shift(body.body.center_of_mass, x);
+    for (SuspensionWheelDescription& wheel : suspension.wheels) {
         shift(wheel.wheel.center, x);
         wheel.drive_share = 0;
     }
-    for (SuspensionSpringDescription& spring : spoke.springs)
+    for (SuspensionSpringDescription& spring : suspension.springs)
         shift(spring.line.on_part, x), shift(spring.line.on_base, x);
-    for (SuspensionDamperDescription& damper : spoke.dampers)
+    for (SuspensionDamperDescription& damper : suspension.dampers)
         shift(damper.line.on_part, x), shift(damper.line.on_base, x);
-    return spoke;
+    return suspension;
 }
 
-// Spokes named like `pattern`, as many as carry so many wheels, one meter apart under a frame that weighs as they can bear.
+// Suspensions named like `pattern`, as many as carry so many wheels, one meter apart under a frame that weighs as they can bear.
 VehicleDescription on_one_frame(const VehicleDescription& from, const std::string& pattern, int wheels) {
     std::vector<SuspensionDescription> group;
-    for (const SuspensionDescription& spoke : from.suspensions) {
-        if (spoke.name.starts_with(pattern)) group.push_back(spoke);
+    for (const SuspensionDescription& suspension : from.suspensions) {
+        if (suspension.name.starts_with(pattern)) group.push_back(suspension);
     }
     int per_group = 0;
-    for (const SuspensionDescription& spoke : group) per_group += static_cast<int>(spoke.wheels.size());
+    for (const SuspensionDescription& suspension : group) per_group += static_cast<int>(suspension.wheels.size());
     const int groups = wheels / per_group;
     VehicleDescription out = from;
     out.suspensions.clear(), out.anti_roll_bars.clear(), out.trailers.clear();
     out.hull = {};
     const double first = group[0].wheels[0].wheel.center[0];
     for (int i = 0; i < groups; ++i) {
-        for (const SuspensionDescription& spoke : group) {
-            out.suspensions.push_back(moved(spoke, -first - i, fmt::format("{}_{}", spoke.name, i)));
+        for (const SuspensionDescription& suspension : group) {
+            out.suspensions.push_back(moved(suspension, -first - i, fmt::format("{}_{}", suspension.name, i)));
         }
     }
     double carried = 0;

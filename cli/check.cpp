@@ -76,7 +76,7 @@ nlohmann::json describe(const Simulation& simulation, const VehicleDescription& 
                                {"independent", suspension.independent},
                                {"dependent", suspension.dependent},
                                {"cut_equations", suspension.cut_equations},
-                               {"opening_m", loop.opening},
+                               {"opening_m", loop.violation},
                                {"mobility", loop.mobility},
                                {"static_load_N", loads(sample, i)}});
     }

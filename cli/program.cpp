@@ -7,7 +7,7 @@
 
 #include "commands.hpp"
 #include "hamilcar/bench/operations.hpp"
-#include "hamilcar/engine/turn_program.hpp"
+#include "hamilcar/engine/rhs_program.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/program/c_text.hpp"
 #include "hamilcar/program/pass.hpp"
@@ -77,7 +77,7 @@ void print_json(const std::string& vehicle, double seconds, const std::vector<Bl
 
 void print_text(const std::string& vehicle, double seconds, const std::vector<BlockCount>& blocks,
                 const std::vector<EngineReport>& compiled) {
-    fmt::print("{}: a turn of the ring, recorded in {:.1f} ms\n\n", vehicle, 1e3 * seconds);
+    fmt::print("{}: right-hand side, recorded in {:.1f} ms\n\n", vehicle, 1e3 * seconds);
     fmt::print("  {:<14}{:>10}{:>17}{:>11}{:>7}{:>9}\n", "block", "additions", "multiplications", "divisions", "roots",
                "choices");
     OperationCount sum;
@@ -98,11 +98,11 @@ void print_text(const std::string& vehicle, double seconds, const std::vector<Bl
 }
 
 // What stands where in the arrays of the C function.
-std::string explanation(const VehicleDescription& vehicle, const TurnTrace& trace, const Model<double>& model) {
+std::string explanation(const VehicleDescription& vehicle, const RhsTrace& trace, const Model<double>& model) {
     std::string places;
-    for (const int place : trace.closing_places) places += fmt::format(" {}", place);
+    for (const int place : trace.correction_indices) places += fmt::format(" {}", place);
     return fmt::format(
-        "/* One turn of the ring (rates of the state) of \"{}\", by hamilcar {}. SI units; ISO 8855 axes.\n"
+        "/* The right-hand side (rates of the state) of \"{}\", by hamilcar {}. SI units; ISO 8855 axes.\n"
         "   arrays[0], read: the state, {} numbers as in hamilcar/vehicle/state.hpp\n"
         "   arrays[1], read: rack displacement [m], rate [m/s], acceleration [m/s^2], drive torque [N m], brake [0 to "
         "1],\n"
@@ -124,7 +124,7 @@ io::ExitCode program(const Options& options) {
     const Model<double> model{
         .vehicle = Vehicle<double>(vehicle), .road = PlaneRoad<double>(0, 0, 1), .energy_balance = false};
     const auto start = std::chrono::steady_clock::now();
-    const TurnTrace trace = lean_turn_trace(model);
+    const RhsTrace trace = rhs_trace_without_dead_code(model);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const auto print = options.json ? print_json : print_text;
     print(vehicle.name, seconds, count_blocks(trace.graph), compile_everywhere(trace.graph));

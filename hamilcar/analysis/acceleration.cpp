@@ -1,6 +1,6 @@
 #include "hamilcar/analysis/acceleration.hpp"
 
-#include "hamilcar/block/ring.hpp"
+#include "hamilcar/block/rhs.hpp"
 
 namespace hamilcar {
 
@@ -36,7 +36,7 @@ Vec3<double> acceleration_at(const Model<double>& model, const State<double>& st
     const auto moving = [&](double time) -> Vec3<double> {
         const Velocity<double> then =
             velocity_block(model, state_after(model, state, rate, time), input_after(input, time));
-        return then.R_GC * velocity_at<double>(then.hub, point);  // ground axes
+        return then.R_GC * velocity_at<double>(then.chassis, point);  // ground axes
     };
     return velocity.R_GC.transpose() * (moving(moment) - moving(-moment)) / (2 * moment);
 }

@@ -49,7 +49,7 @@ template <class T>
 void add_suspension_energy(const Model<T>& model, const State<T>& state, const Velocity<T>& velocity,
                            const Momenta<T>& momenta, Energy<T>& e) {
     const Vehicle<T>& vehicle = model.vehicle;
-    std::array<UnitPlace<T>, max_trailers + 1> places;
+    std::array<UnitPose<T>, max_trailers + 1> places;
     places[0] = {state.position(), velocity.R_GC};
     const auto height_in = [&](std::size_t unit) {
         return [&place = places[unit]](const Vec3<T>& p) { return place.R.row(2).dot(p) + place.position[2]; };
@@ -78,11 +78,11 @@ void add_suspension_energy(const Model<T>& model, const State<T>& state, const V
 
 // The plane that the hull is held against.
 template <class T>
-RoadPlane<T> hull_road(const Model<T>& model, const State<T>& state, const Velocity<T>& velocity) {
+TangentPlane<T> hull_road(const Model<T>& model, const State<T>& state, const Velocity<T>& velocity) {
     UnevenGround<T> uneven;
-    const UnitPlace<T> place{state.position(), velocity.R_GC};
-    const RoadPlane<T> plane = model.road.seen_from(place.position, place.R);
-    return ground_of_hull(ground_below(model, place, plane, 0, uneven), model.vehicle.hull, velocity.hub).plane;
+    const UnitPose<T> place{state.position(), velocity.R_GC};
+    const TangentPlane<T> plane = model.road.seen_from(place.position, place.R);
+    return ground_of_hull(ground_below(model, place, plane, 0, uneven), model.vehicle.hull, velocity.chassis).plane;
 }
 
 template <class T>
@@ -90,7 +90,7 @@ Energy<T> energy(const Model<T>& model, const State<T>& state, const Velocity<T>
     const Vehicle<T>& vehicle = model.vehicle;
     const auto height = [&](const Vec3<T>& p) { return velocity.R_GC.row(2).dot(p) + state.position()[2]; };
     Energy<T> e;
-    e.kinetic = T(0.5) * velocity.hub.dot(vehicle.chassis_inertia * velocity.hub);  // (56)
+    e.kinetic = T(0.5) * velocity.chassis.dot(vehicle.chassis_inertia * velocity.chassis);  // (56)
     for (std::size_t i = 0; i < vehicle.powertrain.units.size(); ++i) {
         const PowerUnit<T>& unit = vehicle.powertrain.units[i];
         const T& p_e = vehicle.powertrain.unit_state(i, state.values.data()).momentum;

@@ -115,7 +115,7 @@ std::string HeldAxle::reach(double left_travel, double right_travel) {
 std::string HeldAxle::open_joint() const {
     for (const int i : loops_) {
         const LoopReport report = inspect_loops(*model_, {rack_, 0, 0}, state_, i);
-        if (!(report.opening < 1e-8)) return "the linkage of " + axle_.name + " does not reach this position";
+        if (!(report.violation < 1e-8)) return "the linkage of " + axle_.name + " does not reach this position";
         if (report.mobility < locked_mobility) return "the linkage of " + axle_.name + " locks";
     }
     return {};

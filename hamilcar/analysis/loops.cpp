@@ -27,7 +27,7 @@ std::string assembly_problem(const VehicleDescription& vehicle, const Model<doub
             suspension, loop.mobility, locked_mobility);
     }
     return fmt::format("{}: the hardpoints do not assemble: '{}' misses by {:.3f} mm (expected below {:.0e} mm)",
-                       suspension, cut_name(vehicle, model, loop.suspension, loop.cut), 1e3 * loop.opening,
+                       suspension, cut_name(vehicle, model, loop.suspension, loop.cut), 1e3 * loop.violation,
                        1e3 * assembly_tolerance);
 }
 

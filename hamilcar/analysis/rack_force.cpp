@@ -1,7 +1,7 @@
 #include "hamilcar/analysis/rack_force.hpp"
 
 #include "hamilcar/analysis/acceleration.hpp"
-#include "hamilcar/block/ring.hpp"
+#include "hamilcar/block/rhs.hpp"
 
 namespace hamilcar {
 
@@ -17,7 +17,7 @@ struct Hub {
 };
 
 Spatial<double> weight_of(const SpatialInertia<double>& body, const Hub& hub) {
-    return spatial<double>(hub.gravity * body.mass, body.moment.cross(hub.gravity));
+    return spatial<double>(hub.gravity * body.mass, body.first_moment.cross(hub.gravity));
 }
 
 Spatial<double> wrench_of(const TireForces<double>& f, const Tire<double>& any_tire, const Vec3<double>& axis) {
@@ -63,7 +63,7 @@ public:
         }
         for (std::size_t i = 0; i < suspension.wheels.size(); ++i) force += of_wheel(suspension, s, i, moved, hub);
         const auto drift = [&](const ForceLine<double>& line) {
-            return suspension.linkage.line(line, moved, numbers.independent, numbers.dependent).drift;
+            return suspension.linkage.line(line, moved, numbers.independent, numbers.dependent).prescribed_rate;
         };
         for (std::size_t i = 0; i < suspension.springs.size(); ++i) {
             force -= f.springs[i].force * drift(suspension.springs[i].line);
@@ -91,7 +91,7 @@ private:
         LineOfAction<double> travel;
         suspension.linkage.along(Vec3<double>::UnitZ(), at.center[i], wheel.frame, 0, moved.own, travel);
         return xi.dot(unbalanced) - f.drive_torque * at.axis[i].dot(angular(xi) - angular(reaction)) -
-               (f.stop + f.bar) * travel.drift;
+               (f.stop + f.bar) * travel.prescribed_rate;
     }
 
     // h' + v_hub x* h
@@ -102,9 +102,9 @@ private:
     }
 
     Hub hub_of(int unit) const {
-        if (unit == 0) return {velocity_.R_GC.row(2).transpose() * -vehicle_.gravity, velocity_.hub};
+        if (unit == 0) return {velocity_.R_GC.row(2).transpose() * -vehicle_.gravity, velocity_.chassis};
         const auto& world = momenta_.trailers[static_cast<std::size_t>(unit) - 1].surroundings;
-        return {world.gravity, world.hub};
+        return {world.gravity, world.chassis};
     }
 
     const Vehicle<double>& vehicle_;

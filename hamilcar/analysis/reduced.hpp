@@ -93,7 +93,7 @@ ReducedOutputs<T> reduced_rates(const Model<T>& model, const ReducedCoordinates&
     const Momenta<T>& momenta = *all_momenta;
     State<T> rate;
     rate_of_state(model, state, velocity, momenta, rate);
-    const Vec3<T> w = angular(velocity.hub);
+    const Vec3<T> w = angular(velocity.chassis);
     const auto [sr, cr] = sincos(z[1]);
     const auto [sp, cp] = sincos(z[2]);
     const T yaw_part = w[1] * sr + w[2] * cr;
@@ -113,11 +113,11 @@ ReducedOutputs<T> reduced_rates(const Model<T>& model, const ReducedCoordinates&
         z_rate[ReducedCoordinates::first_further + i] = rate.values[static_cast<std::size_t>(reduced.further()[i])];
     }
     ReducedOutputs<T> out;
-    const Vec3<T> v = R * velocity_at<T>(velocity.hub, model.vehicle.chassis.center);
+    const Vec3<T> v = R * velocity_at<T>(velocity.chassis, model.vehicle.chassis.center);
     const Vec3<T> force = R * Vec3<T>(linear(momenta.external));
     out.speed = v[0], out.lateral_velocity = v[1], out.yaw_rate = yaw_part / cp;
     out.lateral_acceleration = force[1] / model.vehicle.total_mass;
-    out.vertical_velocity = Vec3<T>(R * velocity_at<T>(velocity.hub, seat))[2];
+    out.vertical_velocity = Vec3<T>(R * velocity_at<T>(velocity.chassis, seat))[2];
     add_wheel_outputs(model.vehicle, momenta, out);
     return out;
 }

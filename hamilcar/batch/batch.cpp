@@ -20,7 +20,7 @@ std::vector<const Simulation*> pointers(const std::vector<Simulation>& cars) {
 template <class T>
 std::vector<int> shape(const Linkage<T>& linkage) {
     std::vector<int> out = linkage.path;
-    for (const auto& f : linkage.freedoms) out.insert(out.end(), {f.slides, f.parent, f.same_point});
+    for (const auto& f : linkage.coordinates) out.insert(out.end(), {f.slides, f.parent, f.same_point});
     for (const auto& e : linkage.equations) out.insert(out.end(), {e.plane, e.part, e.base});
     out.insert(out.end(), linkage.independent.begin(), linkage.independent.end());
     return out;
@@ -117,7 +117,7 @@ Batch::Batch(std::vector<const Simulation*> cars, const BatchOptions& options)
     const Method* method = find_method(solver.integrator);
     if (method->family == MethodFamily::embedded_runge_kutta) {
         throw std::invalid_argument(
-            fmt::format("{} chooses steps of its own; a batch expects a method with fixed steps", method->name));
+            fmt::format("{} has variable steps; a batch needs a method with fixed steps", method->name));
     }
     for (std::size_t i = 0; i < cars_.size(); ++i) {
         const std::string difference = topology_difference(*cars_[0], *cars_[i]);
@@ -126,33 +126,33 @@ Batch::Batch(std::vector<const Simulation*> cars, const BatchOptions& options)
                 fmt::format("car {} cannot share a chunk with the first one: they differ in {}", i + 1, difference));
         }
         if (cars_[i]->steps_taken() != 0)
-            throw std::invalid_argument(fmt::format("car {} is already under way", i + 1));
-        attended_.push_back({cars_[i]->schedule(), cars_[i]->driver(), cars_[i]->steps_per_decision(), std::nullopt});
+            throw std::invalid_argument(fmt::format("car {} has already been advanced", i + 1));
+        drivers_.push_back({cars_[i]->schedule(), cars_[i]->driver(), cars_[i]->steps_per_decision(), std::nullopt});
     }
     step_ = solver.step;
     const ChunkSettings settings{.method = *method,
                                  .step = solver.step,
                                  .tilt_cosine = options.tilt_limit > 0 ? std::cos(options.tilt_limit) : -2.0};
-    seat(settings, options.precision);
+    assign_slots(settings, options.precision);
 }
 
-// Cars whose linkages are eliminated in another order, since their points differ much, get a program of their own.
-void Batch::seat(const ChunkSettings& settings, Precision precision) {
+// Cars whose hardpoints differ so much that their linkages need another elimination order get a separate program.
+void Batch::assign_slots(const ChunkSettings& settings, Precision precision) {
     std::map<std::vector<int>, std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < cars_.size(); ++i) groups[pivots(cars_[i]->model().vehicle)].push_back(i);
     const auto lanes = static_cast<std::size_t>(engine_->lanes(precision));
-    seats_.resize(cars_.size());
+    slots_.resize(cars_.size());
     for (const auto& [order, group] : groups) {
         std::vector<const Model<double>*> models;
         for (const std::size_t car : group) models.push_back(&cars_[car]->model());
-        const auto program = turn_program(models, *engine_, precision);
+        const auto program = rhs_program(models, *engine_, precision);
         for (std::size_t first = 0; first < group.size(); first += lanes) {
             std::vector<LaneCar> row;
             auto& own = cars_of_.emplace_back();
             for (std::size_t i = first; i < std::min(first + lanes, group.size()); ++i) {
                 const std::size_t car = group[i];
-                seats_[car] = {chunks_.size(), static_cast<int>(i - first)};
-                row.push_back({&cars_[car]->model(), &cars_[car]->state(), &attended_[car].schedule});
+                slots_[car] = {chunks_.size(), static_cast<int>(i - first)};
+                row.push_back({&cars_[car]->model(), &cars_[car]->state(), &drivers_[car].schedule});
                 own.push_back(car);
             }
             chunks_.push_back(make_chunk(program, row, settings));
@@ -165,14 +165,14 @@ void Batch::advance(long steps) {
     step_count_ += steps;
 }
 
-// From one decision to the next; drivers look at the step that a Simulation's would.
+// From one decision to the next, at the same steps as in a Simulation.
 void Batch::advance_chunk(std::size_t chunk, long steps) {
     long now = step_count_;
     const long end = now + steps;
     while (now < end) {
         long next = end;
         for (const std::size_t car : cars_of_[chunk]) {
-            const Attended& one = attended_[car];
+            const CarDriver& one = drivers_[car];
             if (!one.driver || one.stop) continue;
             if (now > 0 && now % one.steps_per_decision == 0) decide(car, now);
             next = std::min(next, (now / one.steps_per_decision + 1) * one.steps_per_decision);
@@ -184,11 +184,11 @@ void Batch::advance_chunk(std::size_t chunk, long steps) {
 
 void Batch::decide(std::size_t car, long step) {
     if (chunk_of(car).end(lane_of(car)).reason != EndReason::none) return;
-    Attended& one = attended_[car];
+    CarDriver& one = drivers_[car];
     const double time = static_cast<double>(step) * step_;
     const State<double> state = chunk_of(car).state(lane_of(car));
-    one.driver->act(sense(cars_[car]->model(), state, one.schedule(time)), one.schedule);
-    if (one.driver->ended()) one.stop = Stop{time, state};
+    one.driver->act(observe(cars_[car]->model(), state, one.schedule(time)), one.schedule);
+    if (one.driver->end_reason()) one.stop = Stop{time, state};
     chunk_of(car).set_schedule(lane_of(car), one.schedule);
 }
 

@@ -5,11 +5,11 @@
 namespace hamilcar {
 
 WorkerPool::WorkerPool(int threads) {
-    const int wanted = threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const int count = threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     try {
-        for (int i = 1; i < wanted; ++i) workers_.emplace_back([this] { wait_for_work(); });
+        for (int i = 1; i < count; ++i) workers_.emplace_back([this] { wait_for_work(); });
     } catch (...) {
-        close();  // more threads than the system gives: those that run must not wait for ever
+        close();  // more threads than the system allows: those already running must not wait forever
         throw;
     }
 }

@@ -1,4 +1,4 @@
-// Threads that wait for work. Which thread takes which piece is left to chance, so pieces must not depend on each other.
+// Threads that wait for work. Any thread may take any piece, so pieces must not depend on each other.
 #pragma once
 
 #include <atomic>
@@ -13,7 +13,7 @@ namespace hamilcar {
 
 class WorkerPool {
 public:
-    // `threads` counts the caller's own; zero: as many as the machine has.
+    // `threads` includes the caller's; zero: as many as the machine has.
     explicit WorkerPool(int threads);
     ~WorkerPool();
     WorkerPool(const WorkerPool&) = delete;

@@ -86,7 +86,7 @@ double bench_ready(const VehicleDescription& vehicle) {
     for (int i = 0; i < rounds; ++i) {
         const auto start = std::chrono::steady_clock::now();
         const Simulation simulation(vehicle, bend());
-        default_engine().compile(lean_turn_trace(simulation.model()).graph, false);
+        default_engine().compile(rhs_trace_without_dead_code(simulation.model()).graph, false);
         times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
     return median(std::move(times));
@@ -111,7 +111,7 @@ BenchReport bench(const VehicleDescription& vehicle, double seconds,
     report.vehicle = vehicle.name;
     report.machine = this_machine();
     Simulation simulation = cornering(vehicle, bend());
-    report.operations_of_turn = operations_of_a_turn(simulation);
+    report.operations_of_turn = operations_of_rhs(simulation);
     report.operations_of_step = operations_of_a_step(simulation);
     const double turn = seconds / 1000;  // there are about 400 turns, and the rest takes as long
 

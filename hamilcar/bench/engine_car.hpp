@@ -1,7 +1,7 @@
 // One car in the hands of one engine: the bare step, without what a Simulation checks and keeps around it.
 #pragma once
 
-#include "hamilcar/engine/car_ring.hpp"
+#include "hamilcar/engine/car_rhs.hpp"
 #include "hamilcar/run/simulation.hpp"
 
 namespace hamilcar {
@@ -11,7 +11,7 @@ public:
     // Goes on from where the simulation is, with the past of a multi-step method still to be made.
     EngineCar(const Engine& engine, const Simulation& simulation, bool energy_balance)
         : surface_(simulation.surface()),
-          program_(turn_program(with_balance(simulation.model(), energy_balance), engine)),
+          program_(rhs_program(with_balance(simulation.model(), energy_balance), engine)),
           schedule_(simulation.schedule()),
           state_(simulation.state()),
           step_count_(simulation.steps_taken()),
@@ -21,14 +21,14 @@ public:
         : EngineCar(engine, simulation, simulation.model().energy_balance) {}
 
     void advance(long steps) {
-        const CarRing ring(*program_, surface_.get());
+        const CarRhs rhs(*program_, surface_.get());
         for (long i = 0; i < steps; ++i, ++step_count_) {
             const double time = static_cast<double>(step_count_) * integrator_.step();
-            advance_car(ring, integrator_, schedule_, time, state_);
+            advance_car(rhs, integrator_, schedule_, time, state_);
         }
     }
     const State<double>& state() const { return state_; }
-    const TurnProgram& program() const { return *program_; }
+    const RhsProgram& program() const { return *program_; }
 
 private:
     static Model<double> with_balance(Model<double> model, bool keep) {
@@ -37,7 +37,7 @@ private:
     }
 
     std::shared_ptr<const Surface> surface_;  // the model's
-    std::shared_ptr<const TurnProgram> program_;
+    std::shared_ptr<const RhsProgram> program_;
     Schedule schedule_;
     State<double> state_;
     long step_count_;

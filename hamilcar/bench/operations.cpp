@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "hamilcar/engine/turn_program.hpp"
+#include "hamilcar/engine/rhs_program.hpp"
 
 namespace hamilcar {
 
@@ -71,12 +71,12 @@ OperationCount operations_of(const program::Graph& graph, program::Block block) 
     return count;
 }
 
-OperationCount operations_of_a_turn(const Simulation& simulation) {
-    return operations_of(lean_turn_trace(simulation.model()).graph);
+OperationCount operations_of_rhs(const Simulation& simulation) {
+    return operations_of(rhs_trace_without_dead_code(simulation.model()).graph);
 }
 
 OperationCount operations_of_a_step(const Simulation& simulation) {
-    const TurnTrace trace = lean_turn_trace(simulation.model());
+    const RhsTrace trace = rhs_trace_without_dead_code(simulation.model());
     OperationCount count = operations_of(trace.graph);
     const MethodCost cost = cost_of(*find_method(simulation.scenario().solver.integrator));
     for (std::int64_t* kind :
@@ -84,7 +84,7 @@ OperationCount operations_of_a_step(const Simulation& simulation) {
         *kind *= cost.turns;
     }
     const std::int64_t sums = std::int64_t{cost.products} * simulation.model().vehicle.state_size;
-    count.additions += sums + static_cast<std::int64_t>(trace.closing_places.size());
+    count.additions += sums + static_cast<std::int64_t>(trace.correction_indices.size());
     count.multiplications += sums;
     if (simulation.model().chart == ChassisChart::quaternion) count.additions += 4, count.multiplications += 9;
     return count;

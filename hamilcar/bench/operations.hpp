@@ -22,8 +22,8 @@ OperationCount operations_of(const program::Graph& graph);
 // What was recorded in one block.
 OperationCount operations_of(const program::Graph& graph, program::Block block);
 
-// Of one turn of the ring, for one car.
-OperationCount operations_of_a_turn(const Simulation& simulation);
+// Of one evaluation of the right-hand side, for one car.
+OperationCount operations_of_rhs(const Simulation& simulation);
 
 // Of one step of its method: the turns, the sums over the past, the closing of loops and orientation. Of the adaptive method
 // one trial.

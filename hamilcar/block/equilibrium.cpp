@@ -6,14 +6,14 @@
 #include "hamilcar/block/initial_process.hpp"
 #include "hamilcar/block/integration.hpp"
 #include "hamilcar/block/road_wheels.hpp"
-#include "hamilcar/tire/holding.hpp"
+#include "hamilcar/tire/contact_deflection.hpp"
 
 namespace hamilcar {
 
 namespace {
 
-// Deflections and wind-up with which the wheels carry the weight's pull along the road: across it every wheel by its load,
-// along it the braked ones, if their brakes can.
+// Tire deflections and brake wind-up that balance the component of the weight along the road. Laterally every wheel takes a
+// share in proportion to its load; longitudinally the braked wheels do, if their brakes can hold.
 void hold_on_slope(const Model<double>& model, const Input<double>& input, const Velocity<double>& velocity,
                    const Momenta<double>& momenta, State<double>& state) {
     const std::vector<RoadWheel> wheels = road_wheels(model, momenta, state);
@@ -50,14 +50,14 @@ void hold_on_slope(const Model<double>& model, const Input<double>& input, const
             const double load = tire.forces->tire.Fz;
             const Pull p = pull(wheel, tire);
             const double x = brakes_hold ? p.along : 0.0;
-            const auto deflection = holding(*tire.tire, tire.forces->contact, x * load, p.across * load);
+            const auto deflection = contact_deflection(*tire.tire, tire.forces->contact, x * load, p.across * load);
             *tire.u = deflection.u, *tire.v = deflection.v;
             if (deflection.u != 0) *wheel.windup -= rolling_radius(*tire.tire) * x * load * wheel.brake->compliance;
         }
     }
 }
 
-// Across which ground the vehicle stands, in ground axes: the road's plane, or the mean of what its wheels stand on.
+// Normal of the ground below the vehicle, in ground axes: the road plane's, or the mean over the wheels' contacts.
 Vec3<double> ground_normal(const Model<double>& model, const Input<double>& input, State<double>& state) {
     if (!model.surface) return model.road.normal;
     const auto velocity = velocity_block(model, state, input);

@@ -11,8 +11,8 @@ struct EquilibriumResult {
     double residual = 0;  // largest unbalanced force or moment [N, N m]
 };
 
-// Settles a state at rest: heave, roll, pitch and V such that no force is left; wheels that stand on a slope hold the
-// car by tire deflection and brake if the brakes can. Heading and ground position are kept.
+// Settles a state at rest: heave, roll, pitch and V such that all forces balance; on a slope tire deflections and
+// brakes hold the car if the brakes can. Heading and ground position are kept.
 EquilibriumResult settle(const Model<double>& model, Input<double> input, State<double>& state);
 
 }  // namespace hamilcar

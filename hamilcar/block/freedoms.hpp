@@ -8,11 +8,11 @@
 namespace hamilcar {
 
 struct StateFreedom {
-    int coordinate, momentum;  // places in State::values
-    bool hitch_yaw;            // of a trailer: indifferent while the combination stands
+    int coordinate, momentum;  // indices into State::values
+    bool hitch_yaw;            // of a trailer: no force depends on it at rest
 };
 
-// Suspensions, hitches.
+// Suspensions first, then hitches.
 std::vector<StateFreedom> state_freedoms(const Vehicle<double>& vehicle);
 
 }  // namespace hamilcar

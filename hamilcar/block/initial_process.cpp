@@ -15,7 +15,7 @@ void inspect_mobility(const Eigen::MatrixXd& Phi_w, double determinant, LoopRepo
     if (!std::isfinite(report.mobility)) report.mobility = 0;
     if (!Phi_w.allFinite()) return;
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(Phi_w, Eigen::ComputeThinU);
-    svd.matrixU().col(Phi_w.cols() - 1).cwiseAbs().maxCoeff(&report.locking);
+    svd.matrixU().col(Phi_w.cols() - 1).cwiseAbs().maxCoeff(&report.nearly_redundant);
 }
 
 }  // namespace
@@ -28,8 +28,8 @@ LoopReport inspect_loops(const Model<double>& model, const RackMotion<double>& r
     LinkagePosition<double> at;
     suspension.linkage.find_position(view.independent, view.dependent, rack, 0.0, at);
     for (int e = 0; e < suspension.linkage.nW(); ++e) {
-        const double opening = suspension.linkage.opening(e, at);
-        if (report.cut < 0 || !(opening <= report.opening)) report.cut = e, report.opening = opening;
+        const double violation = suspension.linkage.violation(e, at);
+        if (report.cut < 0 || !(violation <= report.violation)) report.cut = e, report.violation = violation;
     }
     const int n = suspension.linkage.nW();
     if (n > 0) {
@@ -44,9 +44,9 @@ AssemblyResult assemble(const Model<double>& model, const RackMotion<double>& ra
     AssemblyResult result;
     for (int i = 0; i < static_cast<int>(model.vehicle.suspensions.size()); ++i) {
         const LoopReport report = inspect_loops(model, rack, state, i);
-        const bool closed = report.opening <= assembly_tolerance && report.mobility > locked_mobility;
+        const bool closed = report.violation <= assembly_tolerance && report.mobility > locked_mobility;
         if (!closed) return {false, report};
-        if (result.worst.cut < 0 || report.opening > result.worst.opening) result.worst = report;
+        if (result.worst.cut < 0 || report.violation > result.worst.violation) result.worst = report;
     }
     return result;
 }
@@ -70,7 +70,7 @@ State<double> design_state(const Model<double>& model, const Vec3<double>& posit
 
 namespace {
 
-// Spin with which a wheel rolls along without slip, its carrier moving with `motion` [rad/s].
+// Spin at which a wheel rolls without slip while its carrier moves with `motion` [rad/s].
 double rolling_spin(const ContactFrame<double>& f, const Vec3<double>& axis, const Tire<double>& tire,
                     const Spatial<double>& motion) {
     const double rolling =
@@ -78,7 +78,8 @@ double rolling_spin(const ContactFrame<double>& f, const Vec3<double>& axis, con
     return rolling / rolling_radius(tire);
 }
 
-// Momenta of suspensions and hitches while nothing moves against its hub; the vehicle's, about the chassis origin.
+// Sets the momenta of suspensions and hitches while nothing moves relative to its chassis; returns the vehicle's, about the
+// chassis origin.
 Spatial<double> set_momenta(const Model<double>& model, const Velocity<double>& velocity,
                             const Momenta<double>& momenta, const Spatial<double>& v_1, State<double>& state) {
     const Vehicle<double>& vehicle = model.vehicle;
@@ -86,7 +87,7 @@ Spatial<double> set_momenta(const Model<double>& model, const Velocity<double>& 
     std::vector<Spatial<double>> total{vehicle.chassis_inertia * v_1};
     for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
         const auto tow = static_cast<std::size_t>(vehicle.trailers[i].tow);
-        motion.push_back(seen_from<double>(velocity.trailers[i].pose, motion[tow]));
+        motion.push_back(motion_to_frame<double>(velocity.trailers[i].pose, motion[tow]));
         total.push_back(vehicle.trailers[i].chassis_inertia * motion.back());
     }
     for (std::size_t s = 0; s < vehicle.suspensions.size(); ++s) {
@@ -120,7 +121,7 @@ Spatial<double> set_momenta(const Model<double>& model, const Velocity<double>& 
     for (std::size_t i = vehicle.trailers.size(); i-- > 0;) {
         const Trailer<double>& trailer = vehicle.trailers[i];
         const TrailerVelocity<double>& at = velocity.trailers[i];
-        const Spatial<double> h = carried_over<double>(at.pose, total[i + 1]);
+        const Spatial<double> h = force_to_parent<double>(at.pose, total[i + 1]);
         const int n = trailer.freedoms();
         double* conjugate = state.values.data() + trailer.offset + n;
         for (int j = 0; j < n; ++j) conjugate[j] = at.hitch.motion.J[static_cast<std::size_t>(n)].col(j).dot(h);

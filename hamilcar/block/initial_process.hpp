@@ -1,4 +1,4 @@
-// Initial Process block (paper, section 6.1 (1)): from what a person knows of the start to a complete state.
+// Initial Process block (paper, section 6.1 (1)): from the given initial conditions to a complete state.
 //
 // Newton-Raphson closes the loops, the car settles on the road (equilibrium.hpp), and the momenta P_a(0) follow from the
 // initial velocities. Runs once, before the first step, in plain doubles.
@@ -11,26 +11,26 @@ namespace hamilcar {
 // How well one suspension's loops close at the state's coordinates.
 struct LoopReport {
     int suspension = 0;
-    int cut = -1;         // the equation that is farthest from holding; -1 without loops
-    double opening = 0;   // of that equation [m]
-    int locking = -1;     // the equation that says most nearly what others say already
-    double mobility = 1;  // |det Phi_w| over the product of its row norms: 0 where the linkage locks
+    int cut = -1;               // the equation with the largest violation; -1 without loops
+    double violation = 0;       // of that equation [m]
+    int nearly_redundant = -1;  // the equation closest to a combination of the others
+    double mobility = 1;        // |det Phi_w| over the product of its row norms: 0 where the linkage locks
 };
 LoopReport inspect_loops(const Model<double>& model, const RackMotion<double>& rack, const State<double>& state,
                          int number);
 
 struct AssemblyResult {
     bool assembled = true;
-    LoopReport worst;  // of the suspension that failed, else of the one that opens most
+    LoopReport worst;  // of the suspension that failed, else of the one with the largest violation
 };
 
-inline constexpr double assembly_tolerance = 1e-9;  // opening of a joint [m]
+inline constexpr double assembly_tolerance = 1e-9;  // violation of a joint [m]
 inline constexpr double locked_mobility = 1e-4;     // below it Phi_w counts as singular
 
-// W by Newton-Raphson from where it stands, for the V of the state.
+// Finds W by Newton-Raphson from its present values, for the V of the state.
 AssemblyResult assemble(const Model<double>& model, const RackMotion<double>& rack, State<double>& state);
 
-// Puts the chassis there; nothing else of the state changes.
+// Sets position and orientation of the chassis; nothing else in the state changes.
 void place_chassis(const Model<double>& model, const Vec3<double>& position, const Mat3<double>& R_GC,
                    State<double>& state);
 

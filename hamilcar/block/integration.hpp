@@ -1,12 +1,12 @@
-// Integration block (paper, section 6.1 (3)): q and P_a to the next step, then back onto what must hold exactly.
+// Integration block (paper, section 6.1 (3)): advances q and P_a by a step, then projects onto what must hold exactly.
 //
-// In exact mode W is integrated with alpha = 0, and each step takes back in full what its first turn of the ring found
-// open: a Newton step on Phi(V, W, t) = 0 with matrices that the Velocity block has anyway, so that no more than one step's
-// own error of integration ever stands open. In the paper's mode (27) does this job, at the rate alpha. The quaternion is
-// brought back to unit length. Neither touches an independent coordinate or a momentum.
+// In exact mode W is integrated with alpha = 0, and each step removes in full the constraint violation that its first
+// evaluation of the right-hand side found: a Newton step on Phi(V, W, t) = 0 with matrices that the Velocity block has
+// anyway, so that the violation never exceeds the integration error of one step. In the paper's mode (27) does this, at the
+// rate alpha. The quaternion is normalized. Neither changes an independent coordinate or a momentum.
 #pragma once
 
-#include "hamilcar/block/ring.hpp"
+#include "hamilcar/block/rhs.hpp"
 #include "hamilcar/integrator/integrator.hpp"
 
 namespace hamilcar {
@@ -23,17 +23,17 @@ void close_loops(const Model<T>& model, const RackMotion<T>& rack, State<T>& sta
 extern template void close_loops<double>(const Model<double>&, const RackMotion<double>&, State<double>&, int);
 
 template <class T>
-void add_closing(const Model<T>& model, const RingTurn<T>& turn, State<T>& state) {
+void add_correction(const Model<T>& model, const Evaluation<T>& evaluation, State<T>& state) {
     for (std::size_t s = 0; s < model.vehicle.suspensions.size(); ++s) {
         const Suspension<T>& suspension = model.vehicle.suspensions[s];
         T* dependent = suspension.state(state.values.data()).dependent;
         for (int j = 0; j < suspension.linkage.nW(); ++j) {
-            dependent[j] += turn.closing[s][static_cast<std::size_t>(j)];
+            dependent[j] += evaluation.correction[s][static_cast<std::size_t>(j)];
         }
     }
 }
 
-// One Newton step on |q|^2 = 1: a step's drift is so small that it leaves nothing.
+// One Newton step on |q|^2 = 1: a step's error is so small that nothing is left of it.
 template <class T>
 T normalizing_factor(const T& x, const T& y, const T& z, const T& w) {
     return T(1.5) - T(0.5) * ((x * x + y * y) + (z * z + w * w));
@@ -43,45 +43,45 @@ Vector<T, 4> normalized(const Vector<T, 4>& q) {
     return q * normalizing_factor<T>(q[0], q[1], q[2], q[3]);
 }
 
-// The ring as it is written, for any number.
+// The right-hand side as it is written, for any scalar type.
 template <class T>
-struct PlainRing {
-    using Report = RingTurn<T>;
+struct PlainRhs {
+    using Report = Evaluation<T>;
     const Model<T>& model;
 
-    void turn(const Input<T>& input, const State<T>& state, State<T>& rate, Report& report) const {
-        evaluate(model, input, state, rate, report);
+    void evaluate(const Input<T>& input, const State<T>& state, State<T>& rate, Report& report) const {
+        evaluate_rhs(model, input, state, rate, report);
     }
     static void include_health(const Report& further, Report& worst) { worst.health.include(further.health); }
     void finish(const Report& first, State<T>& to) const {
-        if (model.constraints == ConstraintMode::exact) add_closing(model, first, to);
+        if (model.constraints == ConstraintMode::exact) add_correction(model, first, to);
         if (model.chart == ChassisChart::quaternion) to.orientation() = normalized<T>(to.orientation());
     }
 };
 
-// One step by any ring that has the four functions above, from a state to another or in place; `input_at(t)` is the driver.
-// `first` is what the first turn tells, with the worst health met on the way; of the adaptive method only that at the start,
-// since its rejected trials lead anywhere. `further` is scratch.
-template <class Ring, class State, class Driver>
-void integrate(const Ring& ring, Integrator<State>& integrator, const Driver& input_at, double t, const State& from,
-               State& to, typename Ring::Report& first, typename Ring::Report& further) {
+// One step with any right-hand side that has the functions above, from one state to another or in place; `input_at(t)` gives
+// the inputs. `first` becomes the report of the first evaluation with the worst health of all; with the adaptive method only
+// the health at the start, since its rejected trials may go anywhere. `further` is scratch.
+template <class Rhs, class State, class Driver>
+void integrate(const Rhs& rhs, Integrator<State>& integrator, const Driver& input_at, double t, const State& from,
+               State& to, typename Rhs::Report& first, typename Rhs::Report& further) {
     const bool trials = integrator.method().family == MethodFamily::embedded_runge_kutta;
-    int turns = 0;
+    int evaluations = 0;
     const auto rate_at = [&](double time, const State& at, State& rate) {
-        ring.turn(input_at(time), at, rate, turns == 0 ? first : further);
-        if (turns > 0 && !trials) Ring::include_health(further, first);
-        ++turns;
+        rhs.evaluate(input_at(time), at, rate, evaluations == 0 ? first : further);
+        if (evaluations > 0 && !trials) Rhs::include_health(further, first);
+        ++evaluations;
     };
     integrator.advance(rate_at, t, from, to);
-    ring.finish(first, to);
+    rhs.finish(first, to);
 }
 
-// By the plain ring.
+// One step with the plain right-hand side, in place.
 template <class T, class Driver>
 Health<T> integration_block(const Model<T>& model, Integrator<State<T>>& integrator, const Driver& input_at, double t,
                             State<T>& state) {
-    RingTurn<T> first, further;
-    integrate(PlainRing<T>{model}, integrator, input_at, t, state, state, first, further);
+    Evaluation<T> first, further;
+    integrate(PlainRhs<T>{model}, integrator, input_at, t, state, state, first, further);
     return first.health;
 }
 

@@ -8,15 +8,16 @@
 
 namespace hamilcar {
 
-// What the ground, the air and gravity do to the chassis itself.
+// Forces of the ground, the air and gravity on the chassis itself.
 template <class T>
 void chassis_momenta(const Vehicle<T>& vehicle, const Surroundings<T>& world, const Vec3<T>& wind,
-                     const GroundBelow<T>& ground, Spatial<T>& external, T& work_rate) {
-    const auto air = vehicle.aerodynamics.evaluate(world.hub, wind);
-    const WheelRoad<T> below = ground_of_hull(ground, vehicle.hull, world.hub);
-    const auto hull = vehicle.hull.contact(below.plane, world.hub, below.rise);
-    external = air.wrench + hull.wrench +
-               spatial<T>(world.gravity * vehicle.chassis.mass, vehicle.chassis_inertia.moment.cross(world.gravity));
+                     const UnitGround<T>& ground, Spatial<T>& external, T& work_rate) {
+    const auto air = vehicle.aerodynamics.evaluate(world.chassis, wind);
+    const WheelGround<T> below = ground_of_hull(ground, vehicle.hull, world.chassis);
+    const auto hull = vehicle.hull.contact(below.plane, world.chassis, below.rise);
+    external =
+        air.wrench + hull.wrench +
+        spatial<T>(world.gravity * vehicle.chassis.mass, vehicle.chassis_inertia.first_moment.cross(world.gravity));
     work_rate = air.power + hull.lost_power;
 }
 
@@ -25,10 +26,10 @@ Momenta<T> momenta_block_of(const Model<T>& model, const State<T>& state, const 
                             const Velocity<T, S>& velocity) {
     Momenta<T> out;
     const Vehicle<T>& vehicle = model.vehicle;
-    const UnitPlace<T> place{state.position(), velocity.R_GC};
-    const Surroundings<T> world = surroundings_of(model, place, velocity.hub);
+    const UnitPose<T> pose{state.position(), velocity.R_GC};
+    const Surroundings<T> world = surroundings_of(model, pose, velocity.chassis);
     UnevenGround<T> uneven;
-    const GroundBelow<T> below_chassis = ground_below(model, place, world.road, input.time, uneven);
+    const UnitGround<T> below_chassis = ground_below(model, pose, world.road, input.time, uneven);
     const Mat3<T>& R = velocity.R_GC;
     const Vec3<T> wind = R.row(0).transpose() * input.wind_x + R.row(1).transpose() * input.wind_y;
     chassis_momenta(vehicle, world, wind, below_chassis, out.external, out.work_rate);
@@ -38,7 +39,7 @@ Momenta<T> momenta_block_of(const Model<T>& model, const State<T>& state, const 
     return out;
 }
 
-// Suspension after suspension with everything that channels and the energy balance read.
+// One suspension after the other, with everything that channels and the energy balance read.
 template <class T>
 Momenta<T> momenta_block(const Model<T>& model, const State<T>& state, const Input<T>& input,
                          const Velocity<T>& velocity) {

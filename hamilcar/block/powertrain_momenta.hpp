@@ -1,4 +1,4 @@
-// What drives the wheels, as the two blocks see it: rotors add their momenta to the chassis, shafts their torques to wheels.
+// The powertrain in the Velocity and Momenta blocks: rotors add their momenta to the chassis, shafts apply torques to wheels.
 //
 //     h_chassis = J v_1 + sum (0 ; e p_e),   p_e' = torque about e       // formulation, section 7
 #pragma once
@@ -7,13 +7,13 @@
 
 namespace hamilcar {
 
-// Turning of the driven wheels against what carries their differential [rad/s].
+// Angular velocities of the driven wheels relative to the bodies that carry their differentials [rad/s].
 template <class T, class S>
 std::array<T, max_driven_wheels> shaft_speeds(const Vehicle<T>& vehicle, const State<T>& state,
                                               const Velocity<T, S>& velocity) {
     std::array<T, max_driven_wheels> speeds;
     for (std::size_t i = 0; i < vehicle.powertrain.wheels.size(); ++i) {
-        const auto [s, w] = wheel_place(vehicle, vehicle.powertrain.wheels[i]);
+        const auto [s, w] = locate_wheel(vehicle, vehicle.powertrain.wheels[i]);
         const Suspension<T>& suspension = vehicle.suspensions[s];
         const SuspensionWheel<T>& wheel = suspension.wheels[w];
         const SuspensionVelocity<T>& at = velocity.suspensions[s];
@@ -23,8 +23,8 @@ std::array<T, max_driven_wheels> shaft_speeds(const Vehicle<T>& vehicle, const S
     return speeds;
 }
 
-// Torques on all wheels [N m]. Adds to the work: what the torques between rotors and chassis do. That of the shafts is
-// counted where they push.
+// Torques on all wheels [N m]. Adds the power of the torques between rotors and chassis to the work rate; that of the shafts
+// is counted where they act on the wheels.
 template <class T, class S>
 void powertrain_momenta(const Vehicle<T>& vehicle, const State<T>& state, const Input<T>& input,
                         const Velocity<T, S>& velocity, PowertrainMomenta<T>& out,
@@ -37,7 +37,7 @@ void powertrain_momenta(const Vehicle<T>& vehicle, const State<T>& state, const 
     }
     if (!powertrain.exists()) return;
     const auto speeds = shaft_speeds(vehicle, state, velocity);
-    powertrain.evaluate(input.throttle, input.clutch, input.gear, Vec3<T>(angular(velocity.hub)), speeds,
+    powertrain.evaluate(input.throttle, input.clutch, input.gear, Vec3<T>(angular(velocity.chassis)), speeds,
                         state.values.data(), out);
     for (std::size_t i = 0; i < powertrain.wheels.size(); ++i) {
         shafts[static_cast<std::size_t>(powertrain.wheels[i])] = out.wheels[i];

@@ -34,15 +34,16 @@ Vec3<double> mass_moment(const Model<double>& model, const Velocity<double>& vel
     const Vehicle<double>& vehicle = model.vehicle;
     std::vector<Vec3<double>> moment(vehicle.trailers.size() + 1);
     std::vector<double> mass(vehicle.trailers.size() + 1);
-    moment[0] = vehicle.chassis_inertia.moment, mass[0] = vehicle.chassis.mass;
+    moment[0] = vehicle.chassis_inertia.first_moment, mass[0] = vehicle.chassis.mass;
     for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
-        moment[i + 1] = vehicle.trailers[i].chassis_inertia.moment, mass[i + 1] = vehicle.trailers[i].chassis.mass;
+        moment[i + 1] = vehicle.trailers[i].chassis_inertia.first_moment,
+                   mass[i + 1] = vehicle.trailers[i].chassis.mass;
     }
     for (std::size_t s = 0; s < vehicle.suspensions.size(); ++s) {
         const auto unit = static_cast<std::size_t>(vehicle.suspensions[s].unit);
         for (std::size_t i = 0; i < vehicle.suspensions[s].bodies.size(); ++i) {
             const SpatialInertia<double>& inertia = velocity.suspensions[s].inertia[i];
-            moment[unit] += inertia.moment, mass[unit] += inertia.mass;
+            moment[unit] += inertia.first_moment, mass[unit] += inertia.mass;
         }
     }
     for (std::size_t i = vehicle.trailers.size(); i > 0; --i) {

@@ -1,4 +1,4 @@
-// All wheels of a vehicle in one list, whatever carries them: for starts and equilibria, outside the step.
+// All wheels of a vehicle in one list: for the Initial Process and equilibria, outside the step.
 #pragma once
 
 #include <vector>
@@ -21,10 +21,10 @@ struct RoadWheel {
     std::vector<RoadTire> tires;
 };
 
-// In the vehicle's order. The forces are those of `momenta`, which must stay.
+// In the vehicle's order. The list points into `momenta` and `state`, which must outlive it.
 std::vector<RoadWheel> road_wheels(const Model<double>& model, const Momenta<double>& momenta, State<double>& state);
 
-// Direction of gravity times its strength in a unit's axes [m/s^2].
+// Acceleration of gravity in a unit's axes [m/s^2].
 Vec3<double> gravity_in_unit(const Model<double>& model, const Velocity<double>& velocity,
                              const Momenta<double>& momenta, int unit);
 

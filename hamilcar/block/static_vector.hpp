@@ -1,4 +1,4 @@
-// A vector with a fixed capacity and no heap: a car with four suspensions does not pay for places of twelve.
+// A vector of fixed capacity, without heap memory, that constructs only the elements in use.
 #pragma once
 
 #include <array>

@@ -1,9 +1,9 @@
-// The Momenta block's suspensions and trailers. For a hitch the equation is that of a suspension with h and Qhat of everything
-// behind it, so that a trailer is a body like any other.
+// The Momenta block's suspensions and trailers. A hitch has the equation of a suspension, with h and Qhat summed over
+// everything behind it, so that a trailer is a body like any other.
 #pragma once
 
-#include "hamilcar/block/momenta_of_suspension.hpp"
-#include "hamilcar/block/unit_place.hpp"
+#include "hamilcar/block/suspension_evaluator.hpp"
+#include "hamilcar/block/unit_pose.hpp"
 
 namespace hamilcar {
 
@@ -46,28 +46,28 @@ std::array<T, max_vehicle_wheels> anti_roll_forces(const Vehicle<T>& vehicle, co
 }
 
 template <class T>
-UnitPlace<T> behind(const UnitPlace<T>& tow, const Pose<T>& pose) {
+UnitPose<T> behind(const UnitPose<T>& tow, const Pose<T>& pose) {
     return {tow.position + tow.R * pose.p, tow.R * pose.R};
 }
 
 template <class T>
-Surroundings<T> surroundings_of(const Model<T>& model, const UnitPlace<T>& place, const Spatial<T>& motion) {
-    return {model.road.seen_from(place.position, place.R), place.R.row(2).transpose() * (-model.vehicle.gravity),
-            motion, model.stabilization_gain};
+Surroundings<T> surroundings_of(const Model<T>& model, const UnitPose<T>& pose, const Spatial<T>& motion) {
+    return {model.road.seen_from(pose.position, pose.R), pose.R.row(2).transpose() * (-model.vehicle.gravity), motion,
+            model.stabilization_gain};
 }
 
-// The hitch, once everything behind it is summed up; hands the force on to the unit that pulls.
+// The hitch, once everything behind it is summed; adds the force to the towing unit's.
 template <class T>
 void finish_trailer(const Trailer<T>& trailer, const TrailerVelocity<T>& at, const Spatial<T>& tow_motion,
                     TrailerMomenta<T>& out, Spatial<T>& tow_external, T& work_rate) {
     const int n = trailer.freedoms();
     const Spatial<T> momentum = at.condensed.K * at.motion + at.condensed.b;
-    const Spatial<T> h = carried_over(at.pose, momentum), Q = carried_over(at.pose, out.external);
+    const Spatial<T> h = force_to_parent(at.pose, momentum), Q = force_to_parent(at.pose, out.external);
     LinkageRates<T> rates;
     trailer.hitch.find_rates(at.hitch, at.own.V_rate, RackMotion<T>{}, rates);
-    const Spatial<T> carried = Q - cross_force<T>(tow_motion, h);
+    const Spatial<T> net = Q - cross_force<T>(tow_motion, h);
     for (int j = 0; j < n; ++j) {
-        out.momentum_rate[j] = at.hitch.motion.J[n].col(j).dot(carried) + rates.motion.J[n].col(j).dot(h);
+        out.momentum_rate[j] = at.hitch.motion.J[n].col(j).dot(net) + rates.motion.J[n].col(j).dot(h);
     }
     const T yaw_rate = at.own.V_rate[trailer.yaw], damping = trailer.yaw_damping * yaw_rate;
     out.momentum_rate[trailer.yaw] -= damping;
@@ -75,7 +75,7 @@ void finish_trailer(const Trailer<T>& trailer, const TrailerVelocity<T>& at, con
     tow_external += Q;
 }
 
-// One of a pair: what the rates of a state ask for.
+// Of one of a pair: what the rates of a state need.
 template <class T, class S>
 void unpack_rates(const SuspensionMomenta<S>& from, int l, SuspensionMomenta<T>& to) {
     unpack(from.momentum_rate, l, to.momentum_rate);
@@ -92,21 +92,21 @@ void unpack_rates(const SuspensionMomenta<S>& from, int l, SuspensionMomenta<T>&
 }
 
 // All suspensions and trailers, with the torques of `shafts` on the wheels; adds to the motor vehicle's external wrench and
-// to the work.
+// to the work rate.
 template <class T, class S>
 void suspension_momenta(const Model<T>& model, const State<T>& state, const Input<T>& input,
                         const Velocity<T, S>& velocity, const Surroundings<T>& motor_vehicle,
                         const std::array<T, max_vehicle_wheels>& shafts, Momenta<T>& out) {
     const Vehicle<T>& vehicle = model.vehicle;
-    std::array<UnitPlace<T>, max_trailers + 1> places;
-    places[0] = {state.position(), velocity.R_GC};
+    std::array<UnitPose<T>, max_trailers + 1> poses;
+    poses[0] = {state.position(), velocity.R_GC};
     for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
         const Trailer<T>& trailer = vehicle.trailers[i];
         TrailerMomenta<T>& own = out.trailers.emplace_back();
-        places[i + 1] = behind(places[static_cast<std::size_t>(trailer.tow)], velocity.trailers[i].pose);
-        own.surroundings = surroundings_of(model, places[i + 1], velocity.trailers[i].motion);
+        poses[i + 1] = behind(poses[static_cast<std::size_t>(trailer.tow)], velocity.trailers[i].pose);
+        own.surroundings = surroundings_of(model, poses[i + 1], velocity.trailers[i].motion);
         own.external = spatial<T>(own.surroundings.gravity * trailer.chassis.mass,
-                                  trailer.chassis_inertia.moment.cross(own.surroundings.gravity));
+                                  trailer.chassis_inertia.first_moment.cross(own.surroundings.gravity));
     }
     const std::array<T, max_vehicle_wheels> bars = anti_roll_forces(vehicle, velocity);
     UnevenGround<T> uneven;
@@ -114,7 +114,7 @@ void suspension_momenta(const Model<T>& model, const State<T>& state, const Inpu
         return unit == 0 ? motor_vehicle : out.trailers[static_cast<std::size_t>(unit) - 1].surroundings;
     };
     const auto ground_of = [&](int unit) {
-        return ground_below(model, places[static_cast<std::size_t>(unit)], world_of(unit).road, input.time, uneven);
+        return ground_below(model, poses[static_cast<std::size_t>(unit)], world_of(unit).road, input.time, uneven);
     };
     const auto external_of = [&](int unit) -> Spatial<T>& {
         return unit == 0 ? out.external : out.trailers[static_cast<std::size_t>(unit) - 1].external;
@@ -122,8 +122,8 @@ void suspension_momenta(const Model<T>& model, const State<T>& state, const Inpu
     vehicle.for_each_suspension(
         [&](std::size_t s) {
             const Suspension<T>& suspension = vehicle.suspensions[s];
-            const GroundBelow<T> ground = ground_of(suspension.unit);
-            MomentaOfSuspension<T> momenta(suspension, velocity.suspensions[s], state.values.data(), input,
+            const UnitGround<T> ground = ground_of(suspension.unit);
+            SuspensionEvaluator<T> momenta(suspension, velocity.suspensions[s], state.values.data(), input,
                                            world_of(suspension.unit), ground, model.energy_balance,
                                            out.suspensions.emplace_back());
             momenta.add_bodies();
@@ -141,12 +141,12 @@ void suspension_momenta(const Model<T>& model, const State<T>& state, const Inpu
         [&](const auto& pair, std::size_t number) {
             const int unit = pair.both.unit;
             const auto numbers = gather_pair(pair, state.values.data());
-            const GroundBelow<T> ground = ground_of(unit);
+            const UnitGround<T> ground = ground_of(unit);
             const Surroundings<S> around = in_both<S>(world_of(unit));
-            const GroundBelow<S> below{around.road, ground.uneven};
+            const UnitGround<S> below{around.road, ground.uneven};
             const Input<S> inputs = in_both<S>(input);
             SuspensionMomenta<S> both;
-            MomentaOfSuspension<S> momenta(pair.both, velocity.pairs[number], numbers.data(), inputs, around, below,
+            SuspensionEvaluator<S> momenta(pair.both, velocity.pairs[number], numbers.data(), inputs, around, below,
                                            model.energy_balance, both);
             momenta.add_bodies();
             const auto first = static_cast<std::size_t>(pair.first);

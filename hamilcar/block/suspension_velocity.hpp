@@ -1,10 +1,12 @@
-// The Velocity block's suspensions and trailers. With h = Mhat (v_hub + J V' + x) + (0 ; e p_s) of its bodies and wheels and
-// P_V = sum J^T h, a suspension sums over them,
+// The Velocity block's suspensions and trailers, each on a unit (the motor vehicle or a trailer) whose chassis moves
+// with v_u. With h = Mhat (v_u + J V' + x) + (0 ; e p_s) of its bodies and wheels and P_V = sum J^T h, a suspension
+// sums over them,
 //     m = sum J^T Mhat J,   C = sum Mhat J,   k = P_V - sum J^T (Mhat x + (0 ; e p_s))
-// eliminates V' = m^-1 (k - C^T v_hub) and leaves its hub an inertia and a momentum:
+// eliminates V' = m^-1 (k - C^T v_u) and adds to its unit an inertia and a momentum:
 //     K = sum Mhat - C m^-1 C^T,   b = sum (Mhat x + (0 ; e p_s)) + C m^-1 k              // (58), (59)
-// A trailer is a hub that has done so with its own suspensions; seen from the unit that pulls it K and b stand for Mhat and Mhat x,
-// and the hitch, a suspension without loops, is condensed by the same lines. So the cost stays linear in the number of bodies.
+// A trailer is a unit to which its own suspensions have been added in this way; in the axes of the towing unit its K
+// and b take the place of Mhat and Mhat x, and the hitch, a suspension without loops, is condensed by the same code.
+// So the cost stays linear in the number of bodies.
 #pragma once
 
 #include "hamilcar/block/condensed.hpp"
@@ -13,7 +15,7 @@
 
 namespace hamilcar {
 
-// A suspension's own equation m V' + C^T v_hub = k.
+// A suspension's own equation m V' + C^T v_u = k.
 template <class T>
 struct OwnEquation {
     Matrix<T, 6, max_freedoms> C;
@@ -21,10 +23,10 @@ struct OwnEquation {
     std::array<T, max_freedoms> k, V_rate;
     OwnEquation() {}
 
-    void solve(int n, const Spatial<T>& hub) {
+    void solve(int n, const Spatial<T>& v_u) {
         for (int i = 0; i < n; ++i) {
             V_rate[i] = T(0);
-            for (int j = 0; j < n; ++j) V_rate[i] += m_inverse(i, j) * (k[j] - C.col(j).dot(hub));
+            for (int j = 0; j < n; ++j) V_rate[i] += m_inverse(i, j) * (k[j] - C.col(j).dot(v_u));
         }
     }
 };
@@ -35,35 +37,35 @@ struct SuspensionVelocity {
     std::array<SpatialInertia<T>, max_bodies> inertia;
     std::array<Vec3<T>, max_wheels> center, axis, spin_momentum;  // of the wheels: e, e p_s
     OwnEquation<T> own;
-    std::array<Spatial<T>, max_frames> motion;  // v_hub + J V' + x
+    std::array<Spatial<T>, max_frames> motion;  // v_u + J V' + x
     SuspensionVelocity() {}
 };
 
-// The inertia and momentum of a hub with everything that hangs on it, in its axes about its origin.
+// The inertia and momentum of a unit with everything condensed onto it, in its axes about its origin.
 template <class T>
-struct CondensedHub {
+struct CondensedUnit {
     Matrix<T, 6, 6> K;
     Spatial<T> b;
-    CondensedHub() {}
+    CondensedUnit() {}
 };
 
 template <class T>
 struct TrailerVelocity {
-    LinkagePosition<T> hitch;  // against the unit that pulls it
+    LinkagePosition<T> hitch;  // relative to the towing unit
     Pose<T> pose;              // likewise
-    CondensedHub<T> condensed;
+    CondensedUnit<T> condensed;
     OwnEquation<T> own;
     Spatial<T> motion;  // in the trailer's axes about its origin
     TrailerVelocity() {}
 };
 
-// S carries pairs; of a suspension that is one of a pair the list of all has what others ask for: `unpack`.
+// S is the scalar type for pairs. For a suspension of a pair `suspensions` holds only what other code reads (see `unpack`).
 template <class T, class S = T>
 struct Velocity {
     Health<T> health;
     Mat3<T> R_GC;         // chassis to ground axes
     Spatial<T> momentum;  // (p ; L) in chassis axes
-    Spatial<T> hub;       // v_1
+    Spatial<T> chassis;   // v_1
     StaticVector<SuspensionVelocity<T>, max_suspensions> suspensions;
     StaticVector<SuspensionVelocity<S>, has_pairs<T> ? max_suspensions / 2 : 1> pairs;
     StaticVector<TrailerVelocity<T>, max_trailers> trailers;
@@ -75,29 +77,29 @@ RackMotion<S> in_both(const RackMotion<T>& rack) {
     return {S(rack.displacement), S(rack.rate), S(rack.acceleration)};
 }
 
-// A force from the axes and origin of a frame to those that its pose is given in.
+// Transforms a force from a frame's axes and origin to those of the parent, in which its pose is given.
 template <class T>
-Spatial<T> carried_over(const Pose<T>& pose, const Spatial<T>& force) {
+Spatial<T> force_to_parent(const Pose<T>& pose, const Spatial<T>& force) {
     const Vec3<T> f = pose.R * linear(force);
     return spatial<T>(f, pose.R * angular(force) + pose.p.cross(f));
 }
 
-// A motion the other way.
+// Transforms a motion the other way.
 template <class T>
-Spatial<T> seen_from(const Pose<T>& pose, const Spatial<T>& motion) {
+Spatial<T> motion_to_frame(const Pose<T>& pose, const Spatial<T>& motion) {
     return spatial<T>(pose.R.transpose() * velocity_at<T>(motion, pose.p), pose.R.transpose() * angular(motion));
 }
 
-// A suspension eliminates its own rates: K and b of what it carries become what it leaves the hub.
+// Eliminates a suspension's own rates: K and b of its bodies become what it adds to the unit's.
 template <class T>
-void condense(int n, const Matrix<T, max_freedoms, max_freedoms>& m, OwnEquation<T>& own, CondensedHub<T>& hub) {
+void condense(int n, const Matrix<T, max_freedoms, max_freedoms>& m, OwnEquation<T>& own, CondensedUnit<T>& out) {
     own.m_inverse = m;
     invert_positive_definite<T, max_freedoms>(own.m_inverse, n);
     for (int i = 0; i < n; ++i) {
         Spatial<T> Cm = own.C.col(0) * own.m_inverse(0, i);
         for (int j = 1; j < n; ++j) Cm += own.C.col(j) * own.m_inverse(j, i);
-        hub.K -= Cm * own.C.col(i).transpose();
-        hub.b += Cm * own.k[i];
+        out.K -= Cm * own.C.col(i).transpose();
+        out.b += Cm * own.k[i];
     }
 }
 
@@ -111,15 +113,15 @@ void add_inertia(const SpatialInertia<T>& inertia, Matrix<T, 6, 6>& K) {
     }
 }
 
-// What it leaves its hub.
+// What a suspension adds to its unit.
 template <class T>
-CondensedHub<T> condense_suspension(const Suspension<T>& suspension, const T* values, const RackMotion<T>& rack,
-                                    const T& gain, SuspensionVelocity<T>& out, Health<T>& health) {
+CondensedUnit<T> condense_suspension(const Suspension<T>& suspension, const T* values, const RackMotion<T>& rack,
+                                     const T& gain, SuspensionVelocity<T>& out, Health<T>& health) {
     const Linkage<T>& linkage = suspension.linkage;
     const auto state = suspension.state(values);
     const int n = linkage.nV();
     linkage.find_position(state.independent, state.dependent, rack, gain, out.at);
-    CondensedHub<T> own;
+    CondensedUnit<T> own;
     own.K.setZero(), own.b.setZero();
     Matrix<T, max_freedoms, max_freedoms> m = Matrix<T, max_freedoms, max_freedoms>::Zero();
     out.own.C.setZero();
@@ -157,38 +159,38 @@ CondensedHub<T> condense_suspension(const Suspension<T>& suspension, const T* va
     return own;
 }
 
-// Both of a pair onto their hub, one after the other.
+// Adds both suspensions of a pair to their unit, one after the other.
 template <class T, class S>
 void condense_pair(const SuspensionPair<S>& pair, const T* values, const RackMotion<T>& rack, const T& gain,
-                   Velocity<T, S>& out, CondensedHub<T>& hub) {
+                   Velocity<T, S>& out, CondensedUnit<T>& unit) {
     const auto numbers = gather_pair(pair, values);
     Health<S> both;
     SuspensionVelocity<S>& at = out.pairs.emplace_back();
-    const CondensedHub<S> own = condense_suspension<S>(pair.both, numbers.data(), in_both<S>(rack), S(gain), at, both);
+    const CondensedUnit<S> own = condense_suspension<S>(pair.both, numbers.data(), in_both<S>(rack), S(gain), at, both);
     for (int l = 0; l < 2; ++l) {
-        CondensedHub<T> one;
+        CondensedUnit<T> one;
         unpack(own.K, l, one.K), unpack(own.b, l, one.b);
-        hub.K += one.K, hub.b += one.b;
+        unit.K += one.K, unit.b += one.b;
         out.health.include({lane(both.violation, l), lane(both.mobility, l)});
         SuspensionVelocity<T>& suspension = out.suspensions.emplace_back();
-        unpack(at.at.closing, l, suspension.at.closing);
+        unpack(at.at.correction, l, suspension.at.correction);
         unpack(at.center, l, suspension.center);
         unpack(at.axis, l, suspension.axis);
     }
 }
 
-// The trailer with all that it carries, onto the unit that pulls it.
+// Adds a trailer, with everything condensed onto it, to the towing unit.
 template <class T>
-void condense_trailer(const Trailer<T>& trailer, const T* values, TrailerVelocity<T>& out, CondensedHub<T>& tow) {
+void condense_trailer(const Trailer<T>& trailer, const T* values, TrailerVelocity<T>& out, CondensedUnit<T>& tow) {
     const int n = trailer.freedoms();
     const T* angles = values + trailer.offset;
     trailer.hitch.find_position(angles, nullptr, RackMotion<T>{}, T(0), out.hitch);
     out.pose = out.hitch.pose[n].pose();
-    CondensedHub<T> seen;
+    CondensedUnit<T> seen;
     Matrix<T, 6, 6> turned;
-    for (int j = 0; j < 6; ++j) turned.col(j) = carried_over<T>(out.pose, out.condensed.K.col(j));
-    for (int i = 0; i < 6; ++i) seen.K.row(i) = carried_over<T>(out.pose, turned.row(i).transpose()).transpose();
-    seen.b = carried_over(out.pose, out.condensed.b);
+    for (int j = 0; j < 6; ++j) turned.col(j) = force_to_parent<T>(out.pose, out.condensed.K.col(j));
+    for (int i = 0; i < 6; ++i) seen.K.row(i) = force_to_parent<T>(out.pose, turned.row(i).transpose()).transpose();
+    seen.b = force_to_parent(out.pose, out.condensed.b);
     const auto& J = out.hitch.motion.J[n];
     Matrix<T, max_freedoms, max_freedoms> m;
     for (int j = 0; j < n; ++j) {
@@ -200,19 +202,19 @@ void condense_trailer(const Trailer<T>& trailer, const T* values, TrailerVelocit
     tow.K += seen.K, tow.b += seen.b;
 }
 
-// All of them, onto the motor vehicle's chassis.
+// Condenses all suspensions and trailers onto the motor vehicle's chassis.
 template <class T, class S>
-CondensedHub<T> condense_suspensions(const Model<T>& model, const State<T>& state, const RackMotion<T>& rack,
-                                     Velocity<T, S>& out) {
+CondensedUnit<T> condense_suspensions(const Model<T>& model, const State<T>& state, const RackMotion<T>& rack,
+                                      Velocity<T, S>& out) {
     const Vehicle<T>& vehicle = model.vehicle;
-    CondensedHub<T> motor_vehicle;
+    CondensedUnit<T> motor_vehicle;
     motor_vehicle.K.setZero(), motor_vehicle.b.setZero();
     for (const Trailer<T>& trailer : vehicle.trailers) {
-        CondensedHub<T>& own = out.trailers.emplace_back().condensed;
+        CondensedUnit<T>& own = out.trailers.emplace_back().condensed;
         own.K.setZero(), own.b.setZero();
         add_inertia(trailer.chassis_inertia, own.K);
     }
-    const auto unit = [&](int i) -> CondensedHub<T>& {
+    const auto unit = [&](int i) -> CondensedUnit<T>& {
         return i == 0 ? motor_vehicle : out.trailers[static_cast<std::size_t>(i) - 1].condensed;
     };
     const T* values = state.values.data();
@@ -220,8 +222,8 @@ CondensedHub<T> condense_suspensions(const Model<T>& model, const State<T>& stat
         [&](std::size_t s) {
             const Suspension<T>& suspension = vehicle.suspensions[s];
             Health<T> health;
-            const CondensedHub<T> own = condense_suspension(suspension, values, rack, model.stabilization_gain,
-                                                            out.suspensions.emplace_back(), health);
+            const CondensedUnit<T> own = condense_suspension(suspension, values, rack, model.stabilization_gain,
+                                                             out.suspensions.emplace_back(), health);
             unit(suspension.unit).K += own.K, unit(suspension.unit).b += own.b;
             out.health.include(health);
         },
@@ -234,23 +236,23 @@ CondensedHub<T> condense_suspensions(const Model<T>& model, const State<T>& stat
     return motor_vehicle;
 }
 
-// The motion of a unit's hub.
+// The motion of a unit's chassis.
 template <class T, class S>
 const Spatial<T>& unit_motion(int unit, const Velocity<T, S>& velocity) {
-    return unit == 0 ? velocity.hub : velocity.trailers[static_cast<std::size_t>(unit) - 1].motion;
+    return unit == 0 ? velocity.chassis : velocity.trailers[static_cast<std::size_t>(unit) - 1].motion;
 }
 
 template <class T>
-void move_suspension(const Suspension<T>& suspension, const Spatial<T>& hub, SuspensionVelocity<T>& at) {
+void move_suspension(const Suspension<T>& suspension, const Spatial<T>& v_u, SuspensionVelocity<T>& at) {
     const int n = suspension.linkage.nV();
-    at.own.solve(n, hub);  // (58)
+    at.own.solve(n, v_u);  // (58)
     for (int frame = 0; frame <= suspension.linkage.nq(); ++frame) {
-        at.motion[frame] = hub + at.at.motion.x[frame];  // (18), (42)
+        at.motion[frame] = v_u + at.at.motion.x[frame];  // (18), (42)
         for (int j = 0; j < n; ++j) at.motion[frame] += at.at.motion.J[frame].col(j) * at.own.V_rate[j];
     }
 }
 
-// The chassis's motion is known: trailers from the front to the back and all suspensions read off their rates.
+// Once the chassis's motion is known: the rates of trailers, from front to back, and of all suspensions.
 template <class T, class S>
 void move_suspensions(const Vehicle<T>& vehicle, Velocity<T, S>& out) {
     for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
@@ -262,7 +264,7 @@ void move_suspensions(const Vehicle<T>& vehicle, Velocity<T, S>& out) {
         for (int j = 0; j < trailer.freedoms(); ++j) {
             motion += at.hitch.motion.J[trailer.freedoms()].col(j) * at.own.V_rate[j];
         }
-        at.motion = seen_from(at.pose, motion);
+        at.motion = motion_to_frame(at.pose, motion);
     }
     vehicle.for_each_suspension(
         [&](std::size_t s) {

@@ -1,4 +1,4 @@
-// What pushes a wheel: tire, drive, brake, and the equation of its spin.
+// The forces on a wheel, from tire, drive and brake, and the equation of its spin.
 #pragma once
 
 #include "hamilcar/block/model.hpp"
@@ -8,25 +8,25 @@
 
 namespace hamilcar {
 
-// What the Momenta block tells a suspension about the world around it.
+// The surroundings of a suspension: road, gravity and the motion of its unit.
 template <class T>
 struct Surroundings {
-    RoadPlane<T> road;
-    Vec3<T> gravity;  // chassis axes [m/s^2]
-    Spatial<T> hub;   // v_1
-    T gain;           // alpha
+    TangentPlane<T> road;
+    Vec3<T> gravity;     // chassis axes [m/s^2]
+    Spatial<T> chassis;  // v_1
+    T gain;              // alpha
 };
 
 template <class S, class T>
-RoadPlane<S> in_both(const RoadPlane<T>& road) {
+TangentPlane<S> in_both(const TangentPlane<T>& road) {
     return {in_both<S>(road.normal), S(road.offset), S(road.friction)};
 }
 template <class S, class T>
 Surroundings<S> in_both(const Surroundings<T>& world) {
-    return {in_both<S>(world.road), in_both<S>(world.gravity), in_both<S>(world.hub), S(world.gain)};
+    return {in_both<S>(world.road), in_both<S>(world.gravity), in_both<S>(world.chassis), S(world.gain)};
 }
 
-// What a suspension is told of the driver.
+// The inputs that a suspension needs.
 template <class S, class T>
 Input<S> in_both(const Input<T>& input) {
     return {{S(input.rack.displacement), S(input.rack.rate), S(input.rack.acceleration)},
@@ -35,7 +35,7 @@ Input<S> in_both(const Input<T>& input) {
             input.time};
 }
 
-// For the equations and for the channels.
+// For the equations and the channels.
 template <class T>
 struct TireForces {
     TireContact<T> contact;
@@ -55,14 +55,14 @@ struct WheelForces : TireForces<T> {
     std::array<TireForces<T>, max_tires> tires;  // the first is also the wheel's own
 };
 
-// The ground, and which wheels of the vehicle stand on it here.
+// The ground, and the numbers of the wheels that stand on it.
 template <class T>
 struct GroundOfWheel {
-    const GroundBelow<T>& ground;
+    const UnitGround<T>& ground;
     std::array<int, 2> numbers;
 };
 
-// What a tire's forces do to the carrier with its wheel.
+// Wrench of a tire's forces on the carrier with its wheel.
 template <class T, class Kind>
 Spatial<T> carrier_wrench(const Kind& tire, const TireForces<T>& f, const Vec3<T>& axis) {
     const ContactFrame<T>& at = f.frame;
@@ -73,14 +73,14 @@ Spatial<T> carrier_wrench(const Kind& tire, const TireForces<T>& f, const Vec3<T
     return wrench;
 }
 
-// A tire that stands at `center` and turns with `omega` about the axis, its carrier moving with `motion` and its contact
+// A tire centered at `center` that spins with `omega` about the axis, while its carrier moves with `motion`; its contact is
 // deflected by u, v. Returns the wrench on the carrier with its wheel, and the torque about the axis.
 template <class T>
 Spatial<T> tire_wrench(const Tire<T>& any_tire, const GroundOfWheel<T>& below, const Vec3<T>& center,
                        const Vec3<T>& axis, const Spatial<T>& motion, const T& omega, const T& turning, const T& u,
                        const T& v, TireForces<T>& out, T& spin_torque) {
     return dispatch(any_tire, [&](const auto& tire) -> Spatial<T> {
-        const WheelRoad<T> road = below.ground.under(center, axis, motion, tire.radius, T(0), below.numbers);
+        const WheelGround<T> road = below.ground.under(center, axis, motion, tire.radius, T(0), below.numbers);
         const auto f = contact_frame<T>(road.plane, center, axis, tire.radius);
         const Vec3<T> velocity = velocity_at<T>(motion, f.point);
         const T v_x = f.longitudinal.dot(velocity);
@@ -109,7 +109,7 @@ Spatial<T> tire_wrench(const Tire<T>& any_tire, const GroundOfWheel<T>& below, c
     });
 }
 
-// Power of a tire that is not in its potential.
+// Power of a tire's nonconservative forces.
 template <class T>
 T lost_in_tire(const TireForces<T>& f) {
     return f.tire.Fx * f.contact.v_sx + f.tire.Fy * f.contact.v_sy -
@@ -117,7 +117,7 @@ T lost_in_tire(const TireForces<T>& f) {
            f.tire.rolling_moment * f.contact.omega + f.moment_power;
 }
 
-// How a wheel stands and moves with its carrier, and what drives it.
+// Pose and motion of a wheel with its carrier, and its drive torque.
 template <class T>
 struct MovingWheel {
     T spin_momentum, brake_windup;
@@ -142,20 +142,20 @@ MovingWheel<S> side_by_side(const MovingWheel<T>& left, const MovingWheel<T>& ri
     return out;
 }
 
-// What comes of it.
+// The resulting wrench and rates.
 template <class T>
-struct WheelPush {
+struct WheelMomenta {
     Spatial<T> wrench;  // of the tires on the carrier with its wheel
     T windup_rate, spin_momentum_rate;
     T lost_in_tires;  // [W]
 };
 
-// Everything about a wheel, or two side by side, but the suspension: its tires, drive and brake, and the spin equation
+// Everything about a wheel, or two side by side, except its suspension: tires, drive and brake, and the spin equation
 // p_s' = torque of the tires about the axis + drive + brake.
 template <class T>
-WheelPush<T> wheel_push(const SuspensionWheel<T>& wheel, const MovingWheel<T>& at, const T& brake_command,
-                        const GroundOfWheel<T>& ground, WheelForces<T>& f) {
-    WheelPush<T> out;
+WheelMomenta<T> wheel_momenta(const SuspensionWheel<T>& wheel, const MovingWheel<T>& at, const T& brake_command,
+                              const GroundOfWheel<T>& ground, WheelForces<T>& f) {
+    WheelMomenta<T> out;
     const T omega = at.spin_momentum * wheel.wheel.inverse_spin_inertia;
     const T turning = at.axis.dot(angular(at.carrier));
     f.spin = omega - turning;
@@ -179,10 +179,10 @@ WheelPush<T> wheel_push(const SuspensionWheel<T>& wheel, const MovingWheel<T>& a
     return out;
 }
 
-// One of two side by side: what the equations go on with.
+// Of one of two side by side: what the equations of motion need.
 template <class T, class S>
-WheelPush<T> unpack_wheel(const WheelPush<S>& from, const WheelForces<S>& forces, int tires, int place,
-                          WheelForces<T>& to) {
+WheelMomenta<T> unpack_wheel(const WheelMomenta<S>& from, const WheelForces<S>& forces, int tires, int place,
+                             WheelForces<T>& to) {
     to.spin = lane(forces.spin, place);
     to.drive_torque = lane(forces.drive_torque, place);
     to.brake_torque = lane(forces.brake_torque, place);
@@ -190,7 +190,7 @@ WheelPush<T> unpack_wheel(const WheelPush<S>& from, const WheelForces<S>& forces
         to.tires[k].tire.u_rate = lane(forces.tires[k].tire.u_rate, place);
         to.tires[k].tire.v_rate = lane(forces.tires[k].tire.v_rate, place);
     }
-    WheelPush<T> out;
+    WheelMomenta<T> out;
     unpack(from.wrench, place, out.wrench);
     out.windup_rate = lane(from.windup_rate, place);
     out.spin_momentum_rate = lane(from.spin_momentum_rate, place);

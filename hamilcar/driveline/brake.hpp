@@ -1,21 +1,21 @@
-// A wheel's brake: the grip of its disc on a carrier that gives way a little, behind a valve that may hold pressure back.
+// A wheel's brake: dry friction of the disc on an elastic carrier, behind a proportioning valve.
 #pragma once
 
 #include <tuple>
 
 #include "hamilcar/description/vehicle.hpp"
-#include "hamilcar/driveline/grip.hpp"
+#include "hamilcar/driveline/dry_friction.hpp"
 
 namespace hamilcar {
 
 template <class T>
 struct Brake {
     T max_torque, stiffness, damping;
-    T compliance;                // 1 / stiffness; zero where there is no brake
-    T valve_command, held_back;  // share of the growth beyond this command that the valve keeps from the brake
+    T compliance;                      // 1 / stiffness; zero without a brake
+    T valve_command, valve_reduction;  // reduction of the slope above this command
     static constexpr auto members() {
         return std::tuple(&Brake::max_torque, &Brake::stiffness, &Brake::damping, &Brake::compliance,
-                          &Brake::valve_command, &Brake::held_back);
+                          &Brake::valve_command, &Brake::valve_reduction);
     }
 
     Brake() = default;
@@ -25,16 +25,16 @@ struct Brake {
           damping(d.windup_damping),
           compliance(d.windup_stiffness > 0 ? 1 / d.windup_stiffness : 0),
           valve_command(d.valve_command),
-          held_back(1 - d.valve_slope) {}
+          valve_reduction(1 - d.valve_slope) {}
 
-    // What the brake can hold [N m].
+    // Friction limit [N m].
     T limit(const T& command) const {
-        return (command - held_back * max(T(command - valve_command), T(0))) * max_torque;
+        return (command - valve_reduction * max(T(command - valve_command), T(0))) * max_torque;
     }
 
-    // Torque on the wheel about its axis, turning with `spin` against the carrier.
-    typename Grip<T>::Output evaluate(const T& command, const T& spin, const T& windup) const {
-        return Grip<T>::evaluate(limit(command), spin, windup, stiffness, damping, compliance);
+    // Torque on the wheel about its axis; `spin`: relative to the carrier.
+    typename DryFriction<T>::Output evaluate(const T& command, const T& spin, const T& windup) const {
+        return DryFriction<T>::evaluate(limit(command), spin, windup, stiffness, damping, compliance);
     }
 };
 

@@ -1,4 +1,4 @@
-// A quantity over another, piecewise linear and constant beyond its ends, as a sum of clamped ramps: no search and no branch.
+// A piecewise linear function, constant beyond its ends, as a sum of clamped ramps: no search and no branch.
 #pragma once
 
 #include <tuple>

@@ -1,20 +1,20 @@
-// One shaft into two: speeds in = ratio (s a + (1 - s) b), and a lock that passes torque from the faster output to the
-// slower one. Open, locked, limited, torque biasing and viscous differ in what the lock can hold.
+// Splits one shaft into two: speed in = ratio (s a + (1 - s) b), with a lock that transfers torque from the faster output to the
+// slower one. Open, locked, limited-slip, torque-biasing and viscous kinds differ in the limit of the lock.
 #pragma once
 
 #include <tuple>
 
-#include "hamilcar/driveline/grip.hpp"
+#include "hamilcar/driveline/dry_friction.hpp"
 
 namespace hamilcar {
 
 template <class T>
 struct Differential {
     T ratio, share;
-    T preload, locking_drive, locking_coast;  // what the lock holds: [N m], and shares of the outgoing torque [1]
+    T preload, locking_drive, locking_coast;  // limit of the lock: [N m], and shares of the output torque [1]
     T viscosity;                              // [N m s/rad]
     T stiffness, damping, compliance;         // of the torsion between the outputs
-    std::array<int, 2> outputs{};             // a wheel's number among those driven, or -1 - differential
+    std::array<int, 2> outputs{};             // index of a driven wheel, or -1 - index of a differential
     static constexpr auto members() {
         using D = Differential;
         return std::tuple(&D::ratio, &D::share, &D::preload, &D::locking_drive, &D::locking_coast, &D::viscosity,
@@ -32,12 +32,12 @@ struct Differential {
     Output evaluate(const T& torque, const T& a, const T& b, const T& windup) const {
         const T out = ratio * torque;
         const T slip = a - b;
-        // Ramps and worms feel the torque's sign, a fluid the slip; all of it behind the shafts' torsion, so that no viscosity
-        // is too much for a step.
+        // Ramps and worm gears respond to the sign of the torque, a fluid to the slip; both act behind the torsion of the shafts,
+        // so that no viscosity is too stiff for a step.
         const T limit = preload + abs(out) * select(out >= T(0), locking_drive, locking_coast) + viscosity * abs(slip);
-        const auto grip = Grip<T>::evaluate(limit, slip, windup, stiffness, damping, compliance);
-        const T lock = -grip.torque;
-        return {share * out - lock, (T(1) - share) * out + lock, lock, grip.windup_rate, lock * slip};
+        const auto friction = DryFriction<T>::evaluate(limit, slip, windup, stiffness, damping, compliance);
+        const T lock = -friction.torque;
+        return {share * out - lock, (T(1) - share) * out + lock, lock, friction.windup_rate, lock * slip};
     }
 };
 

@@ -1,8 +1,8 @@
-// Everything that drives: power units, and the tree of differentials from them to the wheels. Speeds go up the tree, torques
-// come down; both in one pass, since outputs stand before what drives them.
+// Power units, and the tree of differentials from them to the wheels. Speeds propagate up the tree and torques down, each in one
+// pass, since every differential comes after its outputs.
 //
-// In a state: unit by unit the rotor's momentum, the wind-up, the throttle that the rotor feels and the converter's torque, then
-// each differential's wind-up, then the energy that the sources have given.
+// In a state: for each unit the rotor's momentum, the wind-up, the effective throttle and the converter's torque, then each
+// differential's wind-up, then the energy supplied by the sources.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@ namespace hamilcar {
 
 inline constexpr int max_driven_wheels = 2 * max_differentials;
 
-// Pointers into the row of a state.
+// References into the values of a state.
 template <class Number>
-struct UnitState {
+struct PowerUnitState {
     Number &momentum, &windup, &throttle, &oil_torque;  // p_e [kg m^2/s], [rad], [1], [N m]
 };
 
@@ -34,28 +34,28 @@ template <class T>
 struct Powertrain {
     std::vector<PowerUnit<T>> units;
     std::vector<Differential<T>> differentials;
-    std::vector<int> wheels;  // that are driven, by their numbers in the vehicle
-    int offset = 0;           // of its first number in a state
+    std::vector<int> wheels;  // driven ones, by their indices in the vehicle
+    int offset = 0;           // of its first value in a state
     static constexpr auto members() {
         using P = Powertrain;
         return std::tuple(&P::units, &P::differentials, &P::wheels, &P::offset);
     }
 
-    static constexpr int numbers_of_unit = 4;
+    static constexpr int values_per_unit = 4;
     bool exists() const { return !units.empty(); }
     int size() const {
         if (!exists()) return 0;
-        return numbers_of_unit * static_cast<int>(units.size()) + static_cast<int>(differentials.size()) + 1;
+        return values_per_unit * static_cast<int>(units.size()) + static_cast<int>(differentials.size()) + 1;
     }
 
     template <class Number>
-    UnitState<Number> unit_state(std::size_t i, Number* values) const {
-        Number* at = values + offset + numbers_of_unit * static_cast<int>(i);
+    PowerUnitState<Number> unit_state(std::size_t i, Number* values) const {
+        Number* at = values + offset + values_per_unit * static_cast<int>(i);
         return {at[0], at[1], at[2], at[3]};
     }
     template <class Number>
     Number& windup(std::size_t differential, Number* values) const {
-        return values[offset + numbers_of_unit * static_cast<int>(units.size()) + static_cast<int>(differential)];
+        return values[offset + values_per_unit * static_cast<int>(units.size()) + static_cast<int>(differential)];
     }
     template <class Number>
     Number& supplied(Number* values) const {
@@ -72,16 +72,16 @@ struct Powertrain {
         return speeds;
     }
 
-    // What an output of a differential stands for: a driven wheel, or a differential before.
+    // The element that an output of a differential refers to: a driven wheel, or an earlier differential.
     template <class Wheels, class Inner>
     static auto& value(int output, Wheels& wheels, Inner& differentials) {
         return output >= 0 ? wheels[static_cast<std::size_t>(output)]
                            : differentials[static_cast<std::size_t>(-1 - output)];
     }
 
-    // Torques on the driven wheels, turning with `wheel_speeds` against what carries the differential; `hub`: angular velocity
-    // of the chassis.
-    void evaluate(const T& pedal, const T& clutch, const T& gear, const Vec3<T>& hub,
+    // Torques on the driven wheels; `wheel_speeds`: relative to the part that carries the differential; `chassis`: angular
+    // velocity of the chassis.
+    void evaluate(const T& pedal, const T& clutch, const T& gear, const Vec3<T>& chassis,
                   const std::array<T, max_driven_wheels>& wheel_speeds, const T* values,
                   PowertrainMomenta<T>& out) const {
         const std::array<T, max_differentials> speeds = input_speeds(wheel_speeds);
@@ -93,7 +93,7 @@ struct Powertrain {
             const PowerUnit<T>& unit = units[i];
             const auto state = unit_state(i, values);
             const auto output = static_cast<std::size_t>(unit.output);
-            const T spin = state.momentum * unit.inverse_inertia - unit.axis.dot(hub);
+            const T spin = state.momentum * unit.inverse_inertia - unit.axis.dot(chassis);
             out.units[i] = unit.evaluate(pedal, clutch, gear, spin, speeds[output], state.windup, state.throttle,
                                          state.oil_torque);
             torques[output] += out.units[i].out;

@@ -1,4 +1,4 @@
-// What turns a rotor: a combustion engine with its governor and starter, or an electric motor (docs/models/driveline.md).
+// Torque sources: a combustion engine with governor and starter, or an electric motor (docs/models/driveline.md).
 #pragma once
 
 #include <tuple>
@@ -12,12 +12,12 @@ namespace hamilcar {
 
 template <class T>
 struct CombustionEngine {
-    // Shares of the idle speed: the governor opens the throttle over the first below it; combustion fades out between the
-    // next two, so that a stalled engine gives nothing; up to the last the starter helps.
-    static constexpr double governor_band = 0.3, firing = 0.5, dead = 0.3, started = 0.6;
+    // Shares of the idle speed: the governor opens the throttle over the band below it; combustion fades out between the next
+    // two, so that a stalled engine gives no torque; the starter acts up to the last.
+    static constexpr double governor_band = 0.3, full_combustion = 0.5, no_combustion = 0.3, starter_release = 0.6;
     static constexpr double starter_share = 0.3;  // of the full torque at the lowest speed
-    std::vector<T> level, inverse_rise;  // throttle levels after the first: where they begin, 1 / their width [1]
-    std::vector<Curve<T>> torque;        // of the levels, overrun first
+    std::vector<T> level, inverse_rise;           // throttle levels after the first: start, 1 / width [1]
+    std::vector<Curve<T>> torque;                 // per level, overrun first
     T idle_speed, inverse_idle_speed;
     T starter_torque;
     static constexpr auto members() {
@@ -50,18 +50,20 @@ struct CombustionEngine {
             sum += (above - below) * clamp(T((throttle - level[i]) * inverse_rise[i]), T(0), T(1));
             below = above;
         }
-        const T fires = clamp(T((share - T(dead)) * T(1 / (firing - dead))), T(0), T(1));
-        const T starter = starter_torque * clamp(T((T(started) - share) * T(1 / (started - firing))), T(0), T(1));
-        // What does not fire drags, and a rotor at rest is not pushed back.
-        const T drag = torque[0].at(speed) * clamp(T(share * T(1 / dead)), T(-1), T(1));
+        const T fires = clamp(T((share - T(no_combustion)) * T(1 / (full_combustion - no_combustion))), T(0), T(1));
+        const T starter =
+            starter_torque *
+            clamp(T((T(starter_release) - share) * T(1 / (starter_release - full_combustion))), T(0), T(1));
+        // Without combustion the engine drags; the drag vanishes at rest.
+        const T drag = torque[0].at(speed) * clamp(T(share * T(1 / no_combustion)), T(-1), T(1));
         return fires * sum + (T(1) - fires) * drag + starter;
     }
 };
 
 template <class T>
 struct ElectricMotor {
-    static constexpr double fading = 0.05;        // share of the top speed over which the torque fades out [1]
-    static constexpr double regenerating = 0.02;  // share of the top speed above which it brakes in full [1]
+    static constexpr double fade_band = 0.05;          // share of the top speed over which the torque fades out [1]
+    static constexpr double full_regeneration = 0.02;  // share of the top speed above which regeneration is full [1]
     T max_torque, max_power, max_speed, inverse_max_speed, regeneration;
     static constexpr auto members() {
         using M = ElectricMotor;
@@ -80,8 +82,8 @@ struct ElectricMotor {
         const T turning = abs(speed), share = speed * inverse_max_speed;
         const T strongest = min(max_torque, T(max_power / max(turning, T(1e-3))));
         const T throttle = clamp(pedal, T(0), T(1));
-        const T driving = clamp(T((T(1) - share) * T(1 / fading)), T(0), T(1));
-        const T braking = regeneration * clamp(T(share * T(1 / regenerating)), T(-1), T(1));
+        const T driving = clamp(T((T(1) - share) * T(1 / fade_band)), T(0), T(1));
+        const T braking = regeneration * clamp(T(share * T(1 / full_regeneration)), T(-1), T(1));
         return strongest * (throttle * driving - (T(1) - throttle) * braking);
     }
 };

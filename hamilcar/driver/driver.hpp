@@ -1,10 +1,10 @@
-// A driver who looks: at every interval he sees the car, decides, and leads the controls that he works evenly to where he
-// wants them at the interval's end. What he does not work goes on as the scenario says.
+// A closed-loop driver: in every interval it observes the car, decides, and moves its controls at constant rates to their targets
+// at the interval's end. All other controls follow the scenario.
 //
-//     Senses ─► follower ─────────────► rack
-//               speed control ─► throttle, brake (or torque at the wheels) ─┐
-//               shifting ─► gear, clutch, and the throttle's share ◄────────┘
-//               ending ─► whether the run is over
+//     Observation ─► path follower ─► rack
+//                    speed control ─► throttle, brake (or torque at the wheels) ─┐
+//                    shifting ─► gear, clutch, and the throttle's share ◄────────┘
+//                    ending ─► whether the run is over
 #pragma once
 
 #include <optional>
@@ -21,8 +21,8 @@ namespace hamilcar {
 
 class Schedule;
 
-// All that a driver's later decisions depend on, besides where the controls are: with the schedule's own memory a run goes on
-// with the same bits.
+// Everything that later decisions depend on, apart from the positions of the controls. Together with the schedule's memory it
+// lets a run be resumed bit for bit.
 struct DriverMemory {
     bool begun = false;
     double first_time = 0;  // of the first decision [s]
@@ -36,31 +36,31 @@ static_assert(std::is_trivially_copyable_v<DriverMemory>);
 class Driver {
 public:
     Driver() = default;  // does nothing
-    // The description's interval must be the one at which he is asked: he leads his controls from one decision to the next.
+    // act() must be called once per interval of the description, since controls move from one decision to the next.
     // Throws std::invalid_argument for what cannot be driven: a path through one point, a gear that does not exist.
     Driver(const DriverDescription& description, const DrivenCar& car, const Column& column);
 
-    bool acts() const { return follower_ || speed_ || shifting_ || ending_; }
+    bool is_active() const { return follower_ || speed_ || shifting_ || ending_; }
     double interval() const { return interval_; }  // [s]
-    // Keeps what the scenario does with the throttle, for a driver who only shifts. Once, before the first decision.
+    // Stores the scenario's throttle, for a driver that only shifts. Call once, before the first decision.
     void begin(const Schedule& schedule);
-    // Decides for the coming interval; without allocation. Again at the first instant: decides anew, so that gears can be
-    // chosen once a gear is in and the shafts' speeds are known.
-    void act(const Senses& senses, Schedule& schedule);
+    // Decides for the next interval, without allocation. Called again at the first instant it starts over, so that a gear can
+    // be chosen once a gear is engaged and the shaft speeds are known.
+    void act(const Observation& observation, Schedule& schedule);
 
-    // Why the run is over, with what was reached.
-    std::optional<std::string> ended() const;
-    // What could not be done, with what was reached.
-    std::vector<std::string> complaints() const;
-    // Of the center of mass beside the path; zeros without one.
+    // Why the run ended, with the value reached.
+    std::optional<std::string> end_reason() const;
+    // Targets that were missed, with the values reached.
+    std::vector<std::string> warnings() const;
+    // Position of the center of mass relative to the path; zero without a path.
     PathPlace place() const { return {memory_.path.station, memory_.path.offset}; }
 
     const DriverMemory& memory() const { return memory_; }
     void restore(const DriverMemory& memory) { memory_ = memory; }
 
 private:
-    void work_pedals(const Senses& senses, Schedule& schedule, bool first);
-    void work_gears(const Senses& senses, double throttle, Schedule& schedule, bool first);
+    void update_pedals(const Observation& observation, Schedule& schedule, bool first);
+    void update_gears(const Observation& observation, double throttle, Schedule& schedule, bool first);
 
     double interval_ = 0.005;
     DrivenCar car_;
@@ -68,8 +68,8 @@ private:
     std::optional<SpeedControl> speed_;
     std::optional<Shifting> shifting_;
     std::optional<Ending> ending_;
-    bool brakes_ = false;        // the brake is the driver's
-    Signal scheduled_throttle_;  // what the scenario says
+    bool brakes_ = false;        // the driver operates the brake
+    Signal scheduled_throttle_;  // from the scenario
     DriverMemory memory_;
 };
 

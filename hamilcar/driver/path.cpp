@@ -7,26 +7,26 @@
 #include <stdexcept>
 #include <string>
 
+#include "hamilcar/driver/short_number.hpp"
 #include "hamilcar/driver/spline.hpp"
-#include "hamilcar/driver/words.hpp"
 #include "hamilcar/scalar/elementary.hpp"
 
 namespace hamilcar {
 
 namespace {
 
-constexpr double least_distance = 1e-6;  // between neighboring points [m]
-constexpr double farthest = 1e6;         // from the origin, along either axis [m]
-constexpr double longest_path = 1e7;     // [m]
-constexpr double most_looks = 1e6;       // along a whole path
-constexpr double reversing = -0.996;     // cosine between neighboring chords: within 5 degrees of straight back [1]
-constexpr double least_square = 1e-12;   // of the spline's speed, that is divided by [1]
-constexpr double look_ahead = 10, look_every = 1;  // for a nearer stretch than the remembered one [m]
-constexpr double longest_stride = 2;               // of the descent in distance [m]
-constexpr double straightness = 0.25;              // least second derivative of the descent, of a straight line's [1]
-constexpr int max_strides = 30;
+constexpr double min_distance = 1e-6;       // between neighboring points [m]
+constexpr double max_coordinate = 1e6;      // from the origin, along either axis [m]
+constexpr double max_length = 1e7;          // [m]
+constexpr double max_samples = 1e6;         // along a whole path
+constexpr double reversal_cosine = -0.996;  // cosine between neighboring chords: within 5 degrees of a reversal [1]
+constexpr double min_square = 1e-12;        // lower bound on the squared spline speed, which is a divisor [1]
+constexpr double search_distance = 10, search_spacing = 1;  // for a stretch nearer than the remembered one [m]
+constexpr double max_step = 2;                              // of Newton's method for the nearest point [m]
+constexpr double min_curvature = 0.25;  // lower bound on the second derivative, as a share of a straight line's [1]
+constexpr int max_iterations = 30;
 
-// Gauss and Legendre's five points on [0, 1].
+// Five-point Gauss-Legendre quadrature on [0, 1].
 constexpr std::array<double, 5> node{0.046910077030668004, 0.23076534494715845, 0.5, 0.76923465505284155,
                                      0.95308992296933200};
 constexpr std::array<double, 5> weight{0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
@@ -34,46 +34,46 @@ constexpr std::array<double, 5> weight{0.11846344252809454, 0.23931433524968324,
 
 using Points = std::vector<std::array<double, 2>>;
 
-// From a point to the next one, around a closed path [m].
+// From a point to the next one; cyclic for closed paths [m].
 std::array<double, 2> chord(const Points& points, std::size_t i) {
     const auto [x, y] = points[i % points.size()];
     const auto [next_x, next_y] = points[(i + 1) % points.size()];
     return {next_x - x, next_y - y};
 }
 
-void check_place(const std::array<double, 2>& point, std::size_t number) {
+void check_point(const std::array<double, 2>& point, std::size_t number) {
     for (const double coordinate : point) {
-        if (std::abs(coordinate) <= farthest) continue;
+        if (std::abs(coordinate) <= max_coordinate) continue;
         const std::string start = "point " + std::to_string(number) + " of the path ";
         if (std::isnan(coordinate)) throw std::invalid_argument(start + "is not a number");
-        throw std::invalid_argument(start + "lies at " + spoken(coordinate) + " m; expected within " +
-                                    spoken(farthest) + " m of the origin");
+        throw std::invalid_argument(start + "lies at " + short_number(coordinate) + " m; expected within " +
+                                    short_number(max_coordinate) + " m of the origin");
     }
 }
 
 void check(const PathDescription& description) {
     const auto& points = description.points;
-    const std::size_t least = description.closed ? 3 : 2;
-    if (points.size() < least) {
-        throw std::invalid_argument("a path needs at least " + std::to_string(least) + " points" +
+    const std::size_t min_count = description.closed ? 3 : 2;
+    if (points.size() < min_count) {
+        throw std::invalid_argument("a path needs at least " + std::to_string(min_count) + " points" +
                                     (description.closed ? " to be closed" : "") + ", found " +
                                     std::to_string(points.size()));
     }
-    for (std::size_t i = 0; i < points.size(); ++i) check_place(points[i], i + 1);
+    for (std::size_t i = 0; i < points.size(); ++i) check_point(points[i], i + 1);
     const std::size_t n = points.size();
     for (std::size_t i = 0; i + (description.closed ? 0 : 1) < n; ++i) {
         const auto [x, y] = chord(points, i);
-        if (std::abs(x) + std::abs(y) >= least_distance) continue;
+        if (std::abs(x) + std::abs(y) >= min_distance) continue;
         throw std::invalid_argument("points " + std::to_string(i + 1) + " and " + std::to_string((i + 1) % n + 1) +
-                                    " of the path lie in one place" +
-                                    (i + 1 == n ? "; a closed path returns to its first point by itself" : ""));
+                                    " of the path coincide" +
+                                    (i + 1 == n ? "; do not repeat the first point of a closed path" : ""));
     }
-    // At a point where it went straight back the spline would stand still and have no direction.
+    // Where the path reversed, the speed of the spline would be zero and its direction undefined.
     for (std::size_t i = 0; i + (description.closed ? 0 : 2) < n; ++i) {
         const auto [x, y] = chord(points, i);
         const auto [next_x, next_y] = chord(points, i + 1);
         const double lengths = std::sqrt((x * x + y * y) * (next_x * next_x + next_y * next_y));
-        if (x * next_x + y * next_y > reversing * lengths) continue;
+        if (x * next_x + y * next_y > reversal_cosine * lengths) continue;
         throw std::invalid_argument("the path turns back on itself at point " + std::to_string((i + 1) % n + 1));
     }
 }
@@ -95,18 +95,18 @@ Path::Path(const PathDescription& description) : closed_(description.closed) {
         const double dx = x[(i + 1) % n] - x[i], dy = y[(i + 1) % n] - y[i];
         chord[i] = std::sqrt(dx * dx + dy * dy);
     }
-    const auto bends = closed_ ? spline::periodic_bends : spline::natural_bends;
-    const std::vector<double> bend_x = bends(x, chord), bend_y = bends(y, chord);
+    const auto second_derivatives = closed_ ? spline::periodic_second_derivatives : spline::natural_second_derivatives;
+    const std::vector<double> ddx = second_derivatives(x, chord), ddy = second_derivatives(y, chord);
     station_.push_back(0);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t next = (i + 1) % n;
-        stretches_.push_back({spline::cubic(x[i], x[next], bend_x[i], bend_x[next], chord[i]),
-                              spline::cubic(y[i], y[next], bend_y[i], bend_y[next], chord[i]), chord[i]});
+        stretches_.push_back({spline::cubic(x[i], x[next], ddx[i], ddx[next], chord[i]),
+                              spline::cubic(y[i], y[next], ddy[i], ddy[next], chord[i]), chord[i]});
         station_.push_back(station_.back() + arc(stretches_.back(), chord[i]));
     }
-    if (length() <= longest_path) return;
-    throw std::invalid_argument("the path is " + spoken(length()) + " m long; expected " + spoken(longest_path) +
-                                " m at most");
+    if (length() <= max_length) return;
+    throw std::invalid_argument("the path is " + short_number(length()) + " m long; expected at most " +
+                                short_number(max_length) + " m");
 }
 
 Path::Local Path::local(const Stretch& stretch, double u) {
@@ -175,12 +175,12 @@ Path::Parameter Path::parameter(double station) const {
 
 PathPoint Path::at(double station) const {
     const Local here = local(parameter(station));
-    const double square = std::max(here.dx * here.dx + here.dy * here.dy, least_square), speed = std::sqrt(square);
+    const double square = std::max(here.dx * here.dx + here.dy * here.dy, min_square), speed = std::sqrt(square);
     return {here.x, here.y, here.dx / speed, here.dy / speed,
             (here.dx * here.ddy - here.dy * here.ddx) / (square * speed)};
 }
 
-// On to the neighboring stretches.
+// Continues onto the neighboring stretches.
 Path::Parameter Path::moved(Parameter at, double by) const {
     at.u += by;
     const std::size_t last = stretches_.size() - 1;
@@ -197,27 +197,27 @@ Path::Parameter Path::moved(Parameter at, double by) const {
     return at;
 }
 
-// Newton's method for half the square of the distance; where that is not convex, at least along its slope.
+// Newton's method for half the squared distance; where that is not convex, a step down its gradient.
 PathPlace Path::descend(double x, double y, Parameter at) const {
     Local here = local(at);
-    for (int i = 0; i < max_strides; ++i) {
+    for (int i = 0; i < max_iterations; ++i) {
         const double to_x = here.x - x, to_y = here.y - y;
-        const double square = std::max(here.dx * here.dx + here.dy * here.dy, least_square);
+        const double square = std::max(here.dx * here.dx + here.dy * here.dy, min_square);
         const double slope = to_x * here.dx + to_y * here.dy;
-        const double bend = std::max(square + to_x * here.ddx + to_y * here.ddy, straightness * square);
-        const double change = std::clamp(-slope / bend, -longest_stride, longest_stride);
+        const double bend = std::max(square + to_x * here.ddx + to_y * here.ddy, min_curvature * square);
+        const double change = std::clamp(-slope / bend, -max_step, max_step);
         at = moved(at, change);
         here = local(at);
         if (std::abs(change) < 1e-11) break;
     }
-    const double speed = std::sqrt(std::max(here.dx * here.dx + here.dy * here.dy, least_square));
+    const double speed = std::sqrt(std::max(here.dx * here.dx + here.dy * here.dy, min_square));
     return {station(at), (here.dx * (y - here.y) - here.dy * (x - here.x)) / speed};
 }
 
 PathPlace Path::nearest(double x, double y, double remembered) const {
     Parameter best = parameter(remembered), at = best;
     double least = std::numeric_limits<double>::infinity();
-    for (double ahead = 0; ahead <= look_ahead; ahead += look_every, at = moved(at, look_every)) {
+    for (double ahead = 0; ahead <= search_distance; ahead += search_spacing, at = moved(at, search_spacing)) {
         const Local here = local(at);
         const double square = (here.x - x) * (here.x - x) + (here.y - y) * (here.y - y);
         if (square < least) least = square, best = at;
@@ -229,7 +229,7 @@ PathPlace Path::nearest_of_all(double x, double y, double yaw) const {
     const auto [sine, cosine] = sincos(yaw);
     Parameter best{0, 0, 0};
     double least = std::numeric_limits<double>::infinity();
-    const double stride = std::max(look_every, length() / most_looks);
+    const double stride = std::max(search_spacing, length() / max_samples);
     for (const bool any_direction : {false, true}) {
         for (Parameter at{0, 0, 0}; at.lap == 0 && !is_beyond(at); at = moved(at, stride)) {
             const Local here = local(at);

@@ -9,7 +9,7 @@ namespace {
 constexpr double finest_turn =
     std::numbers::pi / 180;  // of the steering wheel, between two points of a varying ratio [rad]
 
-// The rack where a column with a varying ratio puts it: the table of angles, refined.
+// Rack displacements for a column with a varying ratio: the table of angles, refined.
 SignalDescription through(const Column& column, const SignalDescription& angles) {
     const Signal signal(angles);
     SignalDescription rack{.time = {}, .value = {}, .interpolation = angles.interpolation};

@@ -1,5 +1,5 @@
-// Inputs over time with their rates, smooth enough for the rack's velocity to be continuous: what a scenario's tables say,
-// and what a driver who decides from moment to moment puts in their place.
+// Inputs over time with their rates, smooth enough for the rack's velocity to be continuous: from a scenario's tables, or from a
+// closed-loop driver, which overrides them interval by interval.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace hamilcar {
 
-// What there is to prescribe, each a signal of its own.
+// The prescribed inputs, each with its own signal.
 enum class Control { rack, drive_torque, brake, throttle, clutch, gear, wind_x, wind_y };
 inline constexpr std::size_t control_count = 8;
 
-// All inputs at a time [s], of what each control does then: `at` gives its SignalValue<T>.
+// All inputs at a time [s]; `at` returns the SignalValue<T> of a control.
 template <class T, class At>
 Input<T> input_of(double time, bool powered, bool windy, const At& at) {
     const SignalValue<T> rack = at(Control::rack);
@@ -34,7 +34,7 @@ Input<T> input_of(double time, bool powered, bool windy, const At& at) {
 
 class Schedule {
 public:
-    // Steering wheel angles become rack displacements by the vehicle's steering column.
+    // Steering wheel angles are converted to rack displacements by the vehicle's steering column.
     Schedule(const ScenarioDescription& scenario, const SteeringDescription& steering);
 
     // All inputs at a time [s].
@@ -42,13 +42,13 @@ public:
         return input_of<double>(time, powered_, windy_, [&](Control control) { return signal(control).at(time); });
     }
 
-    // From `time` on a control goes as value, rate and acceleration say, until it is told otherwise. Without allocation;
-    // `step` is the time that the piece is written over [s].
+    // From `time` on a control follows value, rate and acceleration, until the next call. Without allocation; `step` is the time
+    // scale of the polynomial [s].
     void follow(Control control, double time, const SignalValue<double>& now, double step) {
         signals_[static_cast<std::size_t>(control)].follow(time, now, step);
     }
 
-    // What later inputs depend on besides the scenario's tables: the controls that follow somebody.
+    // What later inputs depend on besides the scenario's tables: the controls that a driver has overridden.
     struct Memory {
         std::array<bool, control_count> follows{};
         std::array<Signal::Span, control_count> spans;
@@ -57,7 +57,7 @@ public:
     void restore(const Memory& from);
 
     const Signal& signal(Control control) const { return signals_[static_cast<std::size_t>(control)]; }
-    // Whether power units listen to throttle, clutch and gear, and whether there is a wind.
+    // Whether throttle, clutch and gear are inputs, and whether there is wind.
     bool powered() const { return powered_; }
     bool windy() const { return windy_; }
 

@@ -11,22 +11,23 @@ namespace {
 
 using Phase = ShiftMemory::Phase;
 
-// Of a manual change of gear, as shares of its time: the foot is off the throttle, the clutch begins to open, is open, the
-// lever moves, the clutch begins to close, the foot returns to the throttle.
+// Phases of a manual gear change, as shares of its time: throttle closed, clutch begins to open, is open, lever moves, clutch
+// begins to close, throttle begins to open.
 constexpr double lifted = 0.15, opening = 0.05, open = 0.25, lever = 0.4, closing = 0.6, pressing = 0.7;
-constexpr double matching = 0.1;  // of the rotor's speed, below which the throttle is opened by less than fully [1]
+constexpr double matching =
+    0.1;  // speed difference over shaft speed, below which the throttle opens only in proportion [1]
 
-constexpr double much_slip =
-    0.2;  // share of the rotor's speed that the clutch is to take away before the throttle opens [1]
+constexpr double large_slip = 0.2;  // share of the rotor's speed at which the throttle stays closed [1]
 
-constexpr double rest = 0.8;       // in a gear, before it is left for comfort [s]
-constexpr double smoothing = 0.3;  // of the throttle that shift points go by [s]
-constexpr double landing_room = 1.05, downshift_room = 0.85, lower_gear_room = 0.95;  // shares of speeds [1]
+constexpr double min_time_in_gear = 0.8;  // before a change for comfort [s]
+constexpr double smoothing = 0.3;         // time constant of the throttle for the shift points [s]
+constexpr double landing_room = 1.05, downshift_room = 0.85,
+                 lower_gear_room = 0.95;  // hysteresis, as shares of speeds [1]
 
 constexpr double stalling = 0.95, free = 1.05;  // shares of the idle speed: open the clutch below, close it above [1]
-constexpr double synchronous = 0.03;            // share of the rotor's speed that may slip as the clutch closes [1]
-// A launch: the clutch begins to bite at the first share and holds fully at the second. At a closed throttle shares of
-// the idle speed, at full throttle of a launch speed, which is a share of the upshift speed.
+constexpr double synchronous = 0.03;            // slip over rotor speed below which the clutch closes [1]
+// Launch: the clutch begins to engage at the first share and is fully engaged at the second; these are shares of the idle speed
+// at closed throttle and, at full throttle, of a launch speed, which is a share of the upshift speed.
 constexpr double biting = 1.02, held = 1.5, biting_fully = 0.75, held_fully = 1.25, launch_share = 0.55;
 
 double between(double at_zero, double at_one, double share) {
@@ -53,7 +54,7 @@ Shifting::Shifting(const ShiftingDescription& description, const DrivenCar& car)
       first_(description.gear.value_or(description.first_gear)) {
     check(first_, car, fixed_ ? "gear" : "first gear");
     if (!fixed_ && car.gears > 0 && first_ < 1) {
-        throw std::invalid_argument("gears are chosen from a forward gear on, not from " + std::to_string(first_));
+        throw std::invalid_argument("the first gear must be a forward gear, found " + std::to_string(first_));
     }
 }
 
@@ -66,7 +67,7 @@ double Shifting::upshift_speed(double throttle) const {
     return between(closed > 0 ? closed : full, full, throttle);
 }
 
-// Out of a gear; never as high as an upshift into it lands.
+// Speed at which a gear is left downward; below the speed at which an upshift into it ends.
 double Shifting::downshift_speed(int gear, double throttle) const {
     const double full = car_.gearbox.downshift_speed, closed = car_.gearbox.downshift_speed_closed;
     const double wanted = std::max(between(closed > 0 ? closed : full, full, throttle), car_.idle_speed);
@@ -81,7 +82,7 @@ double Shifting::launch_clutch(double rotor, double throttle) const {
                     between(held * idle, held_fully * launch, throttle), rotor);
 }
 
-// With the gearbox's input turning at `shaft` in the gear `from`.
+// The gearbox input turns at `shaft` in gear `from`.
 int Shifting::lower_gear(double shaft, double throttle, int from, int gear) const {
     const double output = shaft / ratio(from);
     while (gear > first_ && output * ratio(gear) < downshift_speed(gear, throttle)) {
@@ -92,11 +93,11 @@ int Shifting::lower_gear(double shaft, double throttle, int from, int gear) cons
     return gear;
 }
 
-// `ground`: how fast the gearbox's input would turn with wheels that roll; wheels that lock are no reason for first gear.
-int Shifting::fitting_gear(const UnitSense& unit, double ground, const ShiftMemory& memory) const {
+// `ground`: speed of the gearbox input with rolling wheels, so that locked wheels do not select first gear.
+int Shifting::suitable_gear(const PowerUnitObservation& unit, double ground, const ShiftMemory& memory) const {
     const int gear = memory.gear;
     const double throttle = memory.throttle, shaft = std::max(unit.shaft_speed, ground);
-    const bool rested = memory.clock >= rest, launching = memory.phase == Phase::launching;
+    const bool rested = memory.clock >= min_time_in_gear, launching = memory.phase == Phase::launching;
     if (!launching && gear < car_.gears && car_.gearbox.upshift_speed > 0) {
         const double fastest = std::max(unit.speed, unit.shaft_speed), drop = ratio(gear + 1) / ratio(gear);
         const double throttle_after = throttle / drop;  // for the same force
@@ -107,36 +108,37 @@ int Shifting::fitting_gear(const UnitSense& unit, double ground, const ShiftMemo
     return rested || launching ? lower_gear(shaft, throttle, gear, gear) : gear;
 }
 
-void Shifting::settle(const UnitSense& unit, ShiftMemory& memory) const {
+void Shifting::settle(const PowerUnitObservation& unit, ShiftMemory& memory) const {
     const bool slow = car_.has_clutch && memory.gear != 0 && unit.shaft_speed < stalling * car_.idle_speed;
     memory.phase = slow ? Phase::launching : Phase::driving;
     memory.clock = 0;
 }
 
-void Shifting::begin(const Senses& senses, double throttle, ShiftMemory& memory) const {
-    const int in = static_cast<int>(std::round(senses.gear));
-    const UnitSense& unit = senses.units[0];
+void Shifting::begin(const Observation& observation, double throttle, ShiftMemory& memory) const {
+    const int in = static_cast<int>(std::round(observation.gear));
+    const PowerUnitObservation& unit = observation.units[0];
     memory.gear = memory.next = first_;
     memory.throttle = throttle;
     if (!fixed_ && in >= 1 && in <= car_.gears) memory.gear = lower_gear(unit.shaft_speed, throttle, in, car_.gears);
     settle(unit, memory);
-    memory.clock = rest;
+    memory.clock = min_time_in_gear;
 }
 
-Shifting::Decision Shifting::decide(const Senses& senses, double throttle, double interval, ShiftMemory& memory) const {
-    const UnitSense& unit = senses.units[0];
-    if (memory.phase == Phase::unbegun) begin(senses, throttle, memory);
+Shifting::Decision Shifting::decide(const Observation& observation, double throttle, double interval,
+                                    ShiftMemory& memory) const {
+    const PowerUnitObservation& unit = observation.units[0];
+    if (memory.phase == Phase::unbegun) begin(observation, throttle, memory);
     memory.throttle += (throttle - memory.throttle) * interval / (smoothing + interval);
     if (memory.phase != Phase::changing && !fixed_) {
-        const double ground = car_.wheel_radius > 0 ? senses.speed / car_.wheel_radius * unit.wheel_ratio : 0;
-        memory.next = fitting_gear(unit, ground, memory);
+        const double ground = car_.wheel_radius > 0 ? observation.speed / car_.wheel_radius * unit.wheel_ratio : 0;
+        memory.next = suitable_gear(unit, ground, memory);
         if (memory.next != memory.gear) memory.phase = Phase::changing, memory.clock = 0;
     }
     memory.clock += interval;
     return memory.phase == Phase::changing ? change(unit, interval, memory) : hold(unit, memory);
 }
 
-Shifting::Decision Shifting::change(const UnitSense& unit, double interval, ShiftMemory& memory) const {
+Shifting::Decision Shifting::change(const PowerUnitObservation& unit, double interval, ShiftMemory& memory) const {
     const double time = car_.gearbox.shift_time;
     if (memory.clock > time - 0.5 * interval) {
         memory.gear = memory.next;
@@ -149,17 +151,17 @@ Shifting::Decision Shifting::change(const UnitSense& unit, double interval, Shif
     const bool slow = unit.shaft_speed < stalling * car_.idle_speed;
     out.clutch = std::max(std::min(ramp(opening, open, share), 1 - ramp(closing, 1, share)),
                           slow ? launch_clutch(unit.speed, memory.throttle) : 0.0);
-    const double racing = (unit.speed - unit.shaft_speed) / std::max(unit.speed, 1.0);
-    out.throttle_share =
-        share < lever ? 1 - ramp(0, lifted, share) : std::min(ramp(pressing, 1, share), 1 - ramp(0, much_slip, racing));
+    const double overspeed = (unit.speed - unit.shaft_speed) / std::max(unit.speed, 1.0);
+    out.throttle_share = share < lever ? 1 - ramp(0, lifted, share)
+                                       : std::min(ramp(pressing, 1, share), 1 - ramp(0, large_slip, overspeed));
     if (share >= lever && share < pressing && unit.shaft_speed > unit.speed) {
-        out.least_throttle = std::min((unit.shaft_speed - unit.speed) / (matching * unit.shaft_speed), 1.0);
+        out.min_throttle = std::min((unit.shaft_speed - unit.speed) / (matching * unit.shaft_speed), 1.0);
     }
     return out;
 }
 
-// An automatic gearbox comes to its gear evenly, to the last bit.
-Shifting::Decision Shifting::hold(const UnitSense& unit, ShiftMemory& memory) const {
+// An automatic gearbox completes its change at the same constant rate.
+Shifting::Decision Shifting::hold(const PowerUnitObservation& unit, ShiftMemory& memory) const {
     Decision out{.gear = static_cast<double>(memory.gear), .evenly = ramps_ && !fixed_};
     if (!car_.has_clutch || memory.gear == 0) return out;
     const double idle = car_.idle_speed;

@@ -6,7 +6,7 @@ namespace hamilcar::spline {
 
 namespace {
 
-// Thomas's algorithm for rows lower z[i-1] + diagonal z[i] + upper z[i+1] = right; the diagonal dominates.
+// Thomas algorithm for rows lower z[i-1] + diagonal z[i] + upper z[i+1] = right; the matrix is diagonally dominant.
 std::vector<double> solve_tridiagonal(const std::vector<double>& lower, std::vector<double> diagonal,
                                       const std::vector<double>& upper, std::vector<double> right) {
     const std::size_t n = diagonal.size();
@@ -24,7 +24,7 @@ std::vector<double> solve_tridiagonal(const std::vector<double>& lower, std::vec
 
 }  // namespace
 
-std::vector<double> natural_bends(const std::vector<double>& value, const std::vector<double>& chord) {
+std::vector<double> natural_second_derivatives(const std::vector<double>& value, const std::vector<double>& chord) {
     const std::size_t n = value.size();
     std::vector<double> lower(n, 0.0), diagonal(n, 1.0), upper(n, 0.0), right(n, 0.0);
     for (std::size_t i = 1; i + 1 < n; ++i) {
@@ -34,8 +34,8 @@ std::vector<double> natural_bends(const std::vector<double>& value, const std::v
     return solve_tridiagonal(lower, diagonal, upper, right);
 }
 
-// The two corners of its matrix are taken apart by Sherman and Morrison's formula.
-std::vector<double> periodic_bends(const std::vector<double>& value, const std::vector<double>& chord) {
+// The two corner entries of the matrix are handled by the Sherman-Morrison formula.
+std::vector<double> periodic_second_derivatives(const std::vector<double>& value, const std::vector<double>& chord) {
     const std::size_t n = value.size();
     std::vector<double> lower(n), diagonal(n), upper(n), right(n), corner(n, 0.0);
     for (std::size_t i = 0; i < n; ++i) {
@@ -46,16 +46,17 @@ std::vector<double> periodic_bends(const std::vector<double>& value, const std::
     const double wrap = chord[n - 1], pivot = -diagonal[0];
     diagonal[0] -= pivot, diagonal[n - 1] -= wrap * wrap / pivot;
     corner[0] = pivot, corner[n - 1] = wrap;
-    std::vector<double> bends = solve_tridiagonal(lower, diagonal, upper, right);
+    std::vector<double> second = solve_tridiagonal(lower, diagonal, upper, right);
     const std::vector<double> influence = solve_tridiagonal(lower, diagonal, upper, corner);
     const double share =
-        (bends[0] + wrap / pivot * bends[n - 1]) / (1 + influence[0] + wrap / pivot * influence[n - 1]);
-    for (std::size_t i = 0; i < n; ++i) bends[i] -= share * influence[i];
-    return bends;
+        (second[0] + wrap / pivot * second[n - 1]) / (1 + influence[0] + wrap / pivot * influence[n - 1]);
+    for (std::size_t i = 0; i < n; ++i) second[i] -= share * influence[i];
+    return second;
 }
 
-std::array<double, 4> cubic(double from, double to, double bend, double next_bend, double chord) {
-    return {from, (to - from) / chord - chord * (2 * bend + next_bend) / 6, bend / 2, (next_bend - bend) / (6 * chord)};
+std::array<double, 4> cubic(double from, double to, double second, double next_second, double chord) {
+    return {from, (to - from) / chord - chord * (2 * second + next_second) / 6, second / 2,
+            (next_second - second) / (6 * chord)};
 }
 
 }  // namespace hamilcar::spline

@@ -1,26 +1,26 @@
 #include "hamilcar/engine/chunk.hpp"
 
 #include "hamilcar/block/integration.hpp"
-#include "hamilcar/engine/flush.hpp"
+#include "hamilcar/engine/flush_denormals.hpp"
 #include "hamilcar/engine/lane_driver.hpp"
-#include "hamilcar/engine/lane_ring.hpp"
+#include "hamilcar/engine/lane_rhs.hpp"
 
 namespace hamilcar {
 
 namespace {
 
-// A lane whose car has ended is parked on a copy of a car that still runs: it costs nothing more and can neither stop its
-// neighbors nor slow them down; what it computes from then on is never looked at.
+// A lane whose car has ended continues with a copy of a car that still runs: so it can neither stop its neighbors nor slow
+// them down (by NaNs or denormals). Its results are ignored.
 template <class E>
 class LaneChunk final : public Chunk {
 public:
-    LaneChunk(std::shared_ptr<const TurnProgram> program, std::span<const LaneCar> cars, const ChunkSettings& settings)
+    LaneChunk(std::shared_ptr<const RhsProgram> program, std::span<const LaneCar> cars, const ChunkSettings& settings)
         : settings_(settings),
           program_(std::move(program)),
           lanes_(program_->executable->lanes()),
-          ring_(*program_),
-          first_(ring_.report()),
-          further_(ring_.report()),
+          rhs_(*program_),
+          first_(rhs_.report()),
+          further_(rhs_.report()),
           size_(static_cast<std::size_t>(program_->state_size * lanes_)),
           now_(size_),
           next_(size_),
@@ -29,7 +29,7 @@ public:
           lane_states_(cars.size()) {
         for (int i = 0; i < lanes_; ++i) {
             const LaneCar& car = cars[static_cast<std::size_t>(i) < cars.size() ? static_cast<std::size_t>(i) : 0];
-            ring_.set_car(i, *car.model);
+            rhs_.set_car(i, *car.model);
             driver_.set_schedule(i, *car.schedule);
             for (std::size_t k = 0; k < static_cast<std::size_t>(program_->state_size); ++k) {
                 at(now_, k, i) = static_cast<E>(car.state->values[k]);
@@ -38,7 +38,7 @@ public:
     }
 
     void advance(long steps) override {
-        const FlushTinyNumbers flush;
+        const FlushDenormals flush;
         for (long i = 0; i < steps; ++i) {
             if (survivor() >= 0) advance_once();
             ++step_count_;
@@ -58,7 +58,7 @@ private:
     using Numbers = LaneNumbers<E>;
     struct LaneState {
         CarEnd end;
-        State<double> last;  // good, of a car that has ended
+        State<double> last;  // the last good state, of a car that has ended
         bool parked = false;
         bool running() const { return end.reason == EndReason::none; }
     };
@@ -76,16 +76,16 @@ private:
     }
 
     void advance_once() {
-        const auto input_at = [this](double t) { return typename LaneRing<E>::Input{driver_(t), t}; };
-        integrate(ring_, integrator_, input_at, time(), now_, next_, first_, further_);
-        std::swap(now_, next_);  // `next_` is the one before from here on
+        const auto input_at = [this](double t) { return typename LaneRhs<E>::Input{driver_(t), t}; };
+        integrate(rhs_, integrator_, input_at, time(), now_, next_, first_, further_);
+        std::swap(now_, next_);  // from here on `next_` is the previous state
         if (!all_good()) [[unlikely]]
             end_cars();
     }
 
     bool all_good() const {
         bool good = all_finite(now_.data(), static_cast<int>(size_));
-        for (int i = 0; i < lanes_; ++i) good &= own_reason_to_end(i) == EndReason::none;
+        for (int i = 0; i < lanes_; ++i) good &= reason_to_end_if_finite(i) == EndReason::none;
         return good;
     }
 
@@ -93,23 +93,23 @@ private:
         for (std::size_t k = 0; k < static_cast<std::size_t>(program_->state_size); ++k) {
             if (!std::isfinite(at(now_, k, lane))) return EndReason::not_finite;
         }
-        return own_reason_to_end(lane);
+        return reason_to_end_if_finite(lane);
     }
 
-    // Of a car with finite numbers.
-    EndReason own_reason_to_end(int lane) const {
+    // For a car whose numbers are finite.
+    EndReason reason_to_end_if_finite(int lane) const {
         const auto i = static_cast<std::size_t>(lane);
         const Health<E> health = first_.health(i);
         if (health.locks()) return EndReason::locked;
-        if (health.comes_apart()) return EndReason::came_apart;
-        if (settings_.tilt_cosine > -1 && !(height_of_z_axis(i) >= static_cast<E>(settings_.tilt_cosine))) {
+        if (health.loops_open()) return EndReason::loops_open;
+        if (settings_.tilt_cosine > -1 && !(tilt_cosine(i) >= static_cast<E>(settings_.tilt_cosine))) {
             return EndReason::rolled_over;
         }
         return EndReason::none;
     }
 
-    // Of the chassis z axis's direction on the ground's, 1 upright.
-    E height_of_z_axis(std::size_t lane) const {
+    // Cosine between the z axes of chassis and ground: 1 upright.
+    E tilt_cosine(std::size_t lane) const {
         Vector<E, 4> orientation;
         for (std::size_t k = 0; k < 4; ++k) {
             orientation[static_cast<Eigen::Index>(k)] = now_.values[(3 + k) * static_cast<std::size_t>(lanes_) + lane];
@@ -136,7 +136,7 @@ private:
         return -1;
     }
 
-    // Also the lanes that never had a car of their own.
+    // Also lanes that never had a car of their own.
     void park() {
         const int from = survivor();
         if (from < 0) return;
@@ -144,7 +144,7 @@ private:
             const auto own = static_cast<std::size_t>(i);
             const bool vacant = own >= lane_states_.size();
             if (!vacant && (lane_states_[own].running() || lane_states_[own].parked)) continue;
-            ring_.copy_car(from, i);
+            rhs_.copy_car(from, i);
             driver_.copy_schedule(from, i);
             copy_lane(now_, lanes_, from, i);
             integrator_.change_past([&](Numbers& past) { copy_lane(past, lanes_, from, i); });
@@ -153,12 +153,12 @@ private:
     }
 
     ChunkSettings settings_;
-    std::shared_ptr<const TurnProgram> program_;
+    std::shared_ptr<const RhsProgram> program_;
     int lanes_;
-    LaneRing<E> ring_;
-    typename LaneRing<E>::Report first_, further_;
+    LaneRhs<E> rhs_;
+    typename LaneRhs<E>::Report first_, further_;
     std::size_t size_;
-    Numbers now_, next_;  // states: the present one, and the one before or after
+    Numbers now_, next_;  // states: the present one, and the previous or next one
     Integrator<Numbers> integrator_;
     LaneDriver<E> driver_;
     std::vector<LaneState> lane_states_;  // of the cars
@@ -167,7 +167,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Chunk> make_chunk(std::shared_ptr<const TurnProgram> program, std::span<const LaneCar> cars,
+std::unique_ptr<Chunk> make_chunk(std::shared_ptr<const RhsProgram> program, std::span<const LaneCar> cars,
                                   const ChunkSettings& settings) {
     if (program->executable->precision() == Precision::single_precision) {
         return std::make_unique<LaneChunk<float>>(std::move(program), cars, settings);

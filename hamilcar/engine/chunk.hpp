@@ -1,23 +1,23 @@
-// As many cars as a program has lanes, in lock step.
+// As many cars as a program has lanes, stepped together.
 #pragma once
 
 #include <memory>
 
 #include "hamilcar/driver/schedule.hpp"
-#include "hamilcar/engine/turn_program.hpp"
+#include "hamilcar/engine/rhs_program.hpp"
 #include "hamilcar/integrator/methods.hpp"
 
 namespace hamilcar {
 
 // Why a car of a batch stopped before the others.
-enum class EndReason { none, not_finite, came_apart, locked, rolled_over, driver_ended };
+enum class EndReason { none, not_finite, loops_open, locked, rolled_over, driver_ended };
 
 struct CarEnd {
     EndReason reason = EndReason::none;
     double time = 0;  // of the last good state [s]
 };
 
-// A car at its start. The state is read while a chunk is made; model and schedule must stay as long as it does.
+// A car at its start. The state is copied when a chunk is made; model and schedule must outlive the chunk.
 struct LaneCar {
     const Model<double>* model;
     const State<double>* state;
@@ -28,7 +28,7 @@ struct LaneCar {
 struct ChunkSettings {
     Method method;
     double step;              // [s]
-    double tilt_cosine = -2;  // a car ends where its z axis leans further; -2: it may roll over
+    double tilt_cosine = -2;  // a car ends when its z axis leans further; -2: never
 };
 
 class Chunk {
@@ -43,7 +43,7 @@ public:
 };
 
 // At least one car, at most as many as the program has lanes.
-std::unique_ptr<Chunk> make_chunk(std::shared_ptr<const TurnProgram> program, std::span<const LaneCar> cars,
+std::unique_ptr<Chunk> make_chunk(std::shared_ptr<const RhsProgram> program, std::span<const LaneCar> cars,
                                   const ChunkSettings& settings);
 
 }  // namespace hamilcar

@@ -14,7 +14,7 @@ struct Found {
     std::string refused;
 };
 
-// Whether the system lets anybody run generated code shows when it is asked to.
+// Whether the system permits generated code shows only when code is generated.
 Found find_engines() {
     Found found;
     program::Graph smallest;
@@ -53,7 +53,7 @@ const Engine& engine(std::string_view name) {
         if (one->name == name) return *one;
         here += (here.empty() ? "" : ", ") + std::string(one->name);
     }
-    throw std::invalid_argument(fmt::format("engine \"{}\": expected one that this machine runs: {}", name, here));
+    throw std::invalid_argument(fmt::format("engine \"{}\": expected one that this machine supports: {}", name, here));
 }
 
 const Engine& default_engine() {

@@ -1,4 +1,4 @@
-// The engines of this machine: the backends that turn a vehicle's recorded step into something that runs. All give the same bits.
+// The engines of this machine: the backends that compile or interpret a vehicle's recorded step. All give the same bits.
 #pragma once
 
 #include <string>
@@ -15,14 +15,14 @@ using Engine = program::Backend;
 // Those that run here, the fastest first; the last, "portable", generates no code and runs everywhere.
 const std::vector<const Engine*>& engines();
 
-// Throws std::invalid_argument for a name that is unknown or that this machine does not run, with those that it does.
+// Throws std::invalid_argument, with a list of the supported engines, for a name that is unknown or not supported here.
 const Engine& engine(std::string_view name);
 
-// The one that Simulations take: the fastest, unless somebody has chosen. For the start of a program.
+// The engine that Simulations use: the fastest, unless another was chosen, which is meant for the start of a program.
 const Engine& default_engine();
 void choose_default_engine(std::string_view name);  // throws as engine()
 
-// Why engines that generate code are not among them although the processor would run them; empty where they are.
+// Why engines that generate code are missing although the processor supports them; empty if none is missing.
 const std::string& refused_engines();
 
 }  // namespace hamilcar

@@ -1,4 +1,4 @@
-// Drivers in lanes: the pieces of every lane's schedule, fetched anew only when one of them ends.
+// The inputs of all lanes: the current pieces of every lane's schedule, fetched again only when one of them ends.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 #include "hamilcar/driver/schedule.hpp"
 #include "hamilcar/engine/lane_numbers.hpp"
-#include "hamilcar/engine/turn_trace.hpp"
+#include "hamilcar/engine/rhs_trace.hpp"
 
 namespace hamilcar {
 
@@ -18,15 +18,15 @@ public:
         : lanes_(static_cast<std::size_t>(lanes)),
           schedules_(lanes_),
           pieces_(control_count * lanes_),
-          inputs_(TurnInput::size * lanes_) {}
+          inputs_(RhsInput::size * lanes_) {}
 
     void set_schedule(int lane, const Schedule& schedule) {
         schedules_[static_cast<std::size_t>(lane)] = &schedule;
-        begin_ = 1, end_ = 0;  // nothing is in force
+        begin_ = 1, end_ = 0;  // no piece is valid
     }
     void copy_schedule(int from, int to) { set_schedule(to, *schedules_[static_cast<std::size_t>(from)]); }
 
-    // The TurnInput of all lanes at one time [s].
+    // The RhsInput of all lanes at one time [s].
     const LaneNumbers<E>& operator()(double time) {
         if (!(begin_ <= time && time < end_)) fetch(time);
         for (std::size_t control = 0; control < control_count; ++control) {
@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    // A time in two parts, so that single precision does not wear out during a long run.
+    // A time in two parts, so that single precision keeps its accuracy during a long run.
     struct Parts {
         E high, low;
         explicit Parts(double time)
@@ -47,10 +47,10 @@ private:
         E start_high, start_low;  // [s]
     };
 
-    // Of the rack also its rates.
+    // Where each control begins in RhsInput; the rack has its rates as well.
     static constexpr std::array<int, control_count> first_input{
-        TurnInput::rack,   TurnInput::drive_torque, TurnInput::brake,  TurnInput::throttle,
-        TurnInput::clutch, TurnInput::gear,         TurnInput::wind_x, TurnInput::wind_y};
+        RhsInput::rack,   RhsInput::drive_torque, RhsInput::brake,  RhsInput::throttle,
+        RhsInput::clutch, RhsInput::gear,         RhsInput::wind_x, RhsInput::wind_y};
 
     void evaluate(std::size_t control, double time) {
         const Parts t(time);

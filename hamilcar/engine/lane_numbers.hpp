@@ -1,4 +1,4 @@
-// Rows of numbers for all lanes of a program: number i of lane l stands at [i * lanes + l].
+// Arrays of numbers for all lanes of a program: number i of lane l is at [i * lanes + l].
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace hamilcar {
 
-// To the widest register.
+// Aligned to the widest register.
 template <class E>
 struct AlignedAllocator {
     using value_type = E;
@@ -20,7 +20,7 @@ struct AlignedAllocator {
     bool operator==(const AlignedAllocator&) const { return true; }
 };
 
-// Named as an Integrator expects it.
+// Has the member `values` that Integrator expects.
 template <class E>
 struct LaneNumbers {
     std::vector<E, AlignedAllocator<E>> values;

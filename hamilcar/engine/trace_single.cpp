@@ -1,9 +1,9 @@
-#include "hamilcar/engine/trace_turn.hpp"
+#include "hamilcar/engine/rhs_recorder.hpp"
 
 namespace hamilcar {
 
-void record_turn_in_singles(const Model<double>& model, const CommonCar& common, TurnTrace& to) {
-    TurnRecorder<float>(model, common, to).record();
+void record_rhs_in_singles(const Model<double>& model, const CommonCar& common, RhsTrace& to) {
+    RhsRecorder<float>(model, common, to).record();
 }
 
 }  // namespace hamilcar

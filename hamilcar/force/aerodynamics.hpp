@@ -1,4 +1,4 @@
-// Air on the chassis: drag, side force, lift at both axles and a yaw moment, from the flow that it feels.
+// Aerodynamic loads on the chassis: drag, side force, lift at both axles and a yaw moment, from the relative flow.
 //
 //     v = velocity of the chassis's reference point less the wind's, q = rho |v| / 2
 //     F_x = -q A_d v_x,  F_y = -q A_s v_y,  F_z = -q A_d v_z + q |v| (A_front + A_rear)
@@ -38,9 +38,9 @@ struct Aerodynamics {
         Spatial<T> wrench;  // on the chassis, about its origin
         T power;            // of the wrench on the moving chassis [W]
     };
-    // `hub`: the chassis's motion; `wind`: the air's velocity, chassis axes [m/s].
-    Output evaluate(const Spatial<T>& hub, const Vec3<T>& wind) const {
-        const Vec3<T> v = velocity_at<T>(hub, center);
+    // `chassis`: its motion; `wind`: velocity of the air, chassis axes [m/s].
+    Output evaluate(const Spatial<T>& chassis, const Vec3<T>& wind) const {
+        const Vec3<T> v = velocity_at<T>(chassis, center);
         const Vec3<T> flow = v - wind;
         const T speed = sqrt(flow.squaredNorm());
         const T squared = speed * speed;
@@ -49,7 +49,7 @@ struct Aerodynamics {
         Spatial<T> wrench = force_at<T>(center, force);
         const Vec3<T> moment(T(0), pitch * squared, -yaw * speed * flow[1]);
         angular(wrench) += moment;
-        return {wrench, force.dot(v) + moment.dot(angular(hub))};
+        return {wrench, force.dot(v) + moment.dot(angular(chassis))};
     }
 };
 

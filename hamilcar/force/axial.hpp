@@ -64,7 +64,7 @@ struct Damper {
     }
 };
 
-// Pushes back when `travel` passes the gap; both stops of a corner use it, with the travel's sign turned for rebound.
+// Resists `travel` beyond the gap; both stops of a suspension use it, with the sign of the travel reversed for rebound.
 template <class T>
 struct Stop {
     T gap, rate, progression;

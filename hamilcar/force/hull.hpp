@@ -1,5 +1,5 @@
-// The body on the road: points of the hull that push and rub where the car has tipped over. Upright they cost one height
-// each. Hunt and Crossley's damping grows with the depth, so a touch begins without a jump.
+// Contact of the car body with the road: points of the hull with normal force and friction, for a car that has tipped over.
+// Hunt-Crossley damping grows with the depth, so a contact begins without a jump.
 #pragma once
 
 #include <array>
@@ -35,37 +35,37 @@ struct Hull {
         half = as<T>(Vec3<double>(0.5 * (high - low)));
     }
 
-    static T depth(const RoadPlane<T>& road, const Vec3<T>& point) {
+    static T depth(const TangentPlane<T>& road, const Vec3<T>& point) {
         return max(road.offset - road.normal.dot(point), T(0));
     }
 
-    // Whether the box around the points does, or nearly: all that an upright car pays for. The margin is beyond round-off,
-    // so that a car whose box does not reach has no point that would.
-    auto reaches(const RoadPlane<T>& road) const { return clearance(road) < T(1e-3); }
-    // Of the box above the plane [m].
-    T clearance(const RoadPlane<T>& road) const {
+    // Whether the bounding box touches the road, or nearly: the only cost for an upright car. The margin exceeds round-off, so
+    // that no point touches the road if the box does not.
+    auto may_touch(const TangentPlane<T>& road) const { return clearance(road) < T(1e-3); }
+    // Height of the box above the plane [m].
+    T clearance(const TangentPlane<T>& road) const {
         const Vec3<T>& n = road.normal;
         return n.dot(center) - (abs(n[0]) * half[0] + abs(n[1]) * half[1] + abs(n[2]) * half[2]) - road.offset;
     }
 
     struct Contact {
         Spatial<T> wrench;  // on the chassis, about its origin
-        T lost_power;       // of damping and friction [W]
+        T lost_power;       // from damping and friction [W]
     };
 
-    // All points together, for the chassis moving with v_1; `rise` is the plane's own rate along its normal [m/s].
-    Contact contact(const RoadPlane<T>& road, const Spatial<T>& hub, const T& rise = T(0)) const {
+    // Sum over all points, for the motion of the chassis; `rise`: velocity of the plane along its normal [m/s].
+    Contact contact(const TangentPlane<T>& road, const Spatial<T>& chassis, const T& rise = T(0)) const {
         std::array<T, 7> untouched;
         untouched.fill(T(0));
         const std::array<T, 7> sum = unless(
-            reaches(road), [&] { return untouched; }, [&] { return pressed(road, hub, rise); });
+            may_touch(road), [&] { return untouched; }, [&] { return pressed(road, chassis, rise); });
         Contact out;
         for (std::size_t i = 0; i < 6; ++i) out.wrench[static_cast<Eigen::Index>(i)] = sum[i];
         out.lost_power = sum[6];
         return out;
     }
 
-    T potential(const RoadPlane<T>& road) const {
+    T potential(const TangentPlane<T>& road) const {
         T sum(0);
         for (const Vec3<T>& point : points) {
             const T pressed = depth(road, point);
@@ -76,13 +76,14 @@ struct Hull {
 
 private:
     // The wrench and the lost power.
-    std::array<T, 7> pressed(const RoadPlane<T>& road, const Spatial<T>& hub, const T& rise) const {
+    std::array<T, 7> pressed(const TangentPlane<T>& road, const Spatial<T>& chassis, const T& rise) const {
         Contact sum{Spatial<T>::Zero(), T(0)};
         for (const Vec3<T>& point : points) {
             const T pressed = depth(road, point);
             if (!any(pressed > T(0))) continue;
-            const Vec3<T> v = velocity_at<T>(hub, point);
-            const T leaving = road.normal.dot(v), rising = leaving - rise;  // off the ground, off a plane that rises
+            const Vec3<T> v = velocity_at<T>(chassis, point);
+            const T leaving = road.normal.dot(v),
+                    rising = leaving - rise;  // relative to the ground, relative to the rising plane
             const Vec3<T> slip = v - road.normal * leaving;
             const T speed = sqrt(slip.squaredNorm() + T(sliding_speed * sliding_speed));
             const T elastic = stiffness * pressed, normal = elastic * max(T(1) - damping * rising, T(0));

@@ -1,8 +1,8 @@
-// Advances a row of numbers by one step of a chosen method. Holds what multi-step methods remember; never allocates.
+// Advances a state vector by one step of a chosen method. Holds the history of multi-step methods; never allocates.
 //
 // The right-hand side is any f(t, y, rate). Adams methods start with a Runge-Kutta method of order six, so their first
-// steps are as accurate as the rest. The adaptive method meets the ends of the given steps and divides them as its error
-// estimate asks.
+// steps are as accurate as the rest. The adaptive method divides the given steps as its error estimate requires and
+// meets their ends.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace hamilcar {
 template <class State>
 class Integrator {
 public:
-    // `zero`: a state as large as any, where states come in several sizes.
+    // `zero`: a state of full size, for states of dynamic size.
     Integrator(const Method& method, double step, int size, double tolerance = 1e-8, const State& zero = {})
         : method_(method), step_(step), size_(size), tolerance_(tolerance) {
         work_.fill(zero);
@@ -34,7 +34,7 @@ public:
     void restart() { memory_.remembered = 0; }
     // False once the adaptive method could not meet its tolerance with any step.
     bool converged() const { return memory_.converged; }
-    // Everything that later steps depend on: for going back. Only what the method uses is written and read.
+    // Everything that later steps depend on, to return to an earlier time. Only what the method uses is written and read.
     struct Memory {
         int remembered = 0, newest = 0;
         double substep = 0;
@@ -52,7 +52,7 @@ public:
         memory_.substep = from.substep, memory_.converged = from.converged;
         copy_past(from, memory_);
     }
-    // Calls f with every rate that is remembered.
+    // Calls f with every stored rate.
     template <class F>
     void change_past(F&& f) {
         for (int j = 0; j < method_.order; ++j) f(memory_.past[static_cast<std::size_t>(j)]);
@@ -86,7 +86,8 @@ private:
 
     template <class F>
     void advance_adams(F& f, double t, const State& from, State& to, bool corrected) {
-        memory_.newest = (memory_.newest + 1) % method_.order;  // no more past than needed: it stays in the cache
+        memory_.newest =
+            (memory_.newest + 1) % method_.order;  // no longer history than needed, so that it stays in the cache
         f(t, from, memory_.past[memory_.newest]);
         if (memory_.remembered < method_.order) ++memory_.remembered;
         if (memory_.remembered < method_.order) return advance_runge_kutta(butcher_6, f, t, step_, from, to);
@@ -158,7 +159,7 @@ private:
     template <class F>
     void advance_adaptive(F& f, double t, const State& from, State& y) {
         if (&from != &y) copy(from, y);
-        const double smallest = 1e-9 * step_;  // below it the method gives up
+        const double min_step = 1e-9 * step_;  // below it the method gives up
         double done = 0;
         while (done < step_) {
             const bool last = memory_.substep >= step_ - done;
@@ -168,12 +169,12 @@ private:
             if (ratio <= 1) {
                 add_stages(dormand_prince.weights, dormand_prince.stages, h, y);
                 done = last ? step_ : done + h;
-            } else if (h < smallest) {
+            } else if (h < min_step) {
                 memory_.converged = false;
                 return;
             }
-            const double wanted = h * std::min(5.0, std::max(0.2, 0.9 * std::pow(std::max(ratio, 1e-10), -0.2)));
-            if (!last || wanted < memory_.substep || ratio > 1) memory_.substep = std::min(wanted, step_);
+            const double proposed = h * std::min(5.0, std::max(0.2, 0.9 * std::pow(std::max(ratio, 1e-10), -0.2)));
+            if (!last || proposed < memory_.substep || ratio > 1) memory_.substep = std::min(proposed, step_);
         }
     }
 

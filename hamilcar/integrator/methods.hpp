@@ -1,5 +1,5 @@
-// Integration methods as data: coefficients, order, and how far the real axis reaches into their stability region, which
-// bounds the stabilization gain (35), (36). A new method is one entry here; its test measures the order and the limit.
+// Integration methods as data: coefficients, order, and the extent of their stability region along the negative real axis,
+// which limits the stabilization gain (35), (36). A new method is one entry here; its test measures the order and the limit.
 #pragma once
 
 #include <array>
@@ -44,7 +44,7 @@ inline constexpr std::array<AdamsRow, max_adams_order> adams_moulton{{
     {19087. / 60480, 65112. / 60480, -46461. / 60480, 37504. / 60480, -20211. / 60480, 6312. / 60480, -863. / 60480},
 }};
 
-// An explicit Runge-Kutta method; `embedded` holds the weights of the lower-order answer where there is one.
+// An explicit Runge-Kutta method; `embedded` holds the weights of the lower-order solution if there is one.
 inline constexpr int max_stages = 7;
 struct Tableau {
     int stages;

@@ -10,7 +10,7 @@ namespace hamilcar {
 
 struct GainChoice {
     double gain = 0;          // alpha [1/s]; zero in exact mode
-    std::string expectation;  // empty, or what had to be given instead, as a phrase after "expected"
+    std::string expectation;  // empty, or what is required instead, as a phrase after "expected"
 };
 
 // For a solver whose integrator is known. Exact mode needs no gain.

@@ -26,14 +26,14 @@ void read_keys(const TableReader& table, const std::vector<HardpointKey>& keys, 
             case HardpointKind::flag:
                 // The driver's rack does not reach a trailer; a schema has one kind of axle for both.
                 to.numbers[name] =
-                    table.boolean(key.key, key.otherwise[0] != 0 && (!on_trailer || table.is_recording()));
+                    table.boolean(key.key, key.default_value[0] != 0 && (!on_trailer || table.is_recording()));
                 table.expect(!on_trailer || !to.flag(name), key.key, "false on a trailer");
                 break;
-            case HardpointKind::number: to.numbers[name] = table.number(key.key, positive, key.otherwise[0]); break;
+            case HardpointKind::number: to.numbers[name] = table.number(key.key, positive, key.default_value[0]); break;
             case HardpointKind::length:
                 if (table.has(key.key)) to.numbers[name] = table.number(key.key, positive);
                 break;
-            case HardpointKind::direction: to.points[name] = table.unit_direction(key.key, key.otherwise); break;
+            case HardpointKind::direction: to.points[name] = table.unit_direction(key.key, key.default_value); break;
             case HardpointKind::point:
                 // `steered` stands before the keys that only a steered axle has
                 if (key.only_steered && !to.flag("steered")) break;
@@ -51,7 +51,7 @@ Hardpoints read_hardpoints(const TableReader& axle, const Recipe& recipe, bool o
     Hardpoints points;
     read_keys(axle.table("hardpoints"), recipe.keys, on_trailer, points);
     note_meanings(axle.table("hardpoints"), recipe.keys, recipe.keyword);
-    for (const auto& [one, other] : recipe.apart) {
+    for (const auto& [one, other] : recipe.distinct_points) {
         axle.table("hardpoints")
             .expect(points[one] != points[other], other, fmt::format("a point apart from '{}'", one));
     }
@@ -80,11 +80,11 @@ void check_composition(const TableReader& axle, const Composition& composition, 
         axle.expect(!rod || cut.tip != cut.foot, "hardpoints", "two ends apart for '" + cut.name + "'");
         axle.expect(is_finite(cut.axis), "hardpoints", "two points apart for the axis of '" + cut.name + "'");
     }
-    std::vector<CarriedPoint> wheels;
+    std::vector<PartPoint> wheels;
     for (std::size_t i = 0; i < composition.carriers.size(); ++i) {
         wheels.push_back({composition.carriers[i], i == 0 ? wheel.center : mirrored(wheel.center)});
     }
-    const LinkageVerdict verdict = choose_partition(composition.linkage, wheels);
+    const PartitionResult verdict = choose_partition(composition.linkage, wheels);
     axle.expect(verdict.problem.empty(), "hardpoints",
                 "a linkage that moves with its wheels alone; " + verdict.problem);
 }

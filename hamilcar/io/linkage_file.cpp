@@ -68,11 +68,11 @@ CutJointDescription read_cut(const TableReader& table, const LinkageDescription&
 }
 
 // The wheels have one freedom each, and nothing else moves.
-void choose_independent(const TableReader& axle, const std::vector<CarriedPoint>& wheels, LinkageDescription& linkage) {
+void choose_independent(const TableReader& axle, const std::vector<PartPoint>& wheels, LinkageDescription& linkage) {
     const int coordinates = linkage.coordinate_count(), equations = linkage.equation_count();
     axle.expect(coordinates <= max_coordinates, "joint", "at most " + std::to_string(max_coordinates) + " coordinates");
     axle.expect(equations <= max_equations, "joint", "at most " + std::to_string(max_equations) + " cut equations");
-    const LinkageVerdict verdict = choose_partition(linkage, wheels);
+    const PartitionResult verdict = choose_partition(linkage, wheels);
     axle.expect(verdict.problem.empty(), "joint",
                 "a linkage that moves with its wheels alone (here " + std::to_string(coordinates) +
                     " coordinates and " + std::to_string(equations) + " cut equations); " + verdict.problem);
@@ -90,7 +90,7 @@ Composition read_linkage(const TableReader& axle, const WheelDescription& wheel,
     }
     const std::size_t carrier = part(axle, "carrier_part", out.linkage);
     out.carriers = {carrier};
-    std::vector<CarriedPoint> wheels{{carrier, wheel.center}};
+    std::vector<PartPoint> wheels{{carrier, wheel.center}};
     std::size_t right = carrier;
     if (axle.has("right_carrier_part")) {
         right = part(axle, "right_carrier_part", out.linkage);

@@ -64,7 +64,7 @@ void check_starting(const TableReader& table, const EngineDescription& engine) {
     using Engine = CombustionEngine<double>;
     const Curve<double> drag(engine.torque.front().speed, engine.torque.front().torque);
     const double starter = Engine::starter_share * engine.torque.back().torque.front();
-    const double fires = Engine::firing * engine.idle_speed;
+    const double fires = Engine::full_combustion * engine.idle_speed;
     double most = -drag.at(fires);
     for (std::size_t i = 0; i < engine.torque.front().speed.size(); ++i) {
         if (engine.torque.front().speed[i] < fires) most = std::max(most, -engine.torque.front().torque[i]);

@@ -12,8 +12,8 @@ namespace {
 
 const Vec3<double> x_axis = Vec3<double>::UnitX(), y_axis = Vec3<double>::UnitY(), z_axis = Vec3<double>::UnitZ();
 
-// Appends a joint's coordinates, each on the frame before.
-void add_freedoms(const TreeJointDescription& joint, int parent, std::vector<Freedom<double>>& to) {
+// Appends a joint's coordinates, each on the previous frame.
+void add_coordinates(const TreeJointDescription& joint, int parent, std::vector<LinkageCoordinate<double>>& to) {
     const Vec3<double> point = vec3(joint.point), axis = vec3(joint.axis);
     bool turned = false;  // by one of the joint's own
     const auto add = [&](bool slides, const Vec3<double>& direction) {
@@ -31,7 +31,7 @@ void add_freedoms(const TreeJointDescription& joint, int parent, std::vector<Fre
     }
 }
 
-// Two unit vectors across a third.
+// Two unit vectors normal to a third.
 std::pair<Vec3<double>, Vec3<double>> across(const Vec3<double>& axis) {
     const Vec3<double> aside = std::abs(axis[2]) < 0.9 ? z_axis : x_axis;
     const Vec3<double> first = axis.cross(aside).normalized();
@@ -61,29 +61,29 @@ void add_equations(const CutJointDescription& cut, int part, int base, std::vect
 Linkage<double> tables(const LinkageDescription& d) {
     Linkage<double> out;
     for (const TreeJointDescription& joint : d.joints) {
-        add_freedoms(joint, frame_of_part(d, joint.parent), out.freedoms);
+        add_coordinates(joint, frame_of_part(d, joint.parent), out.coordinates);
     }
     for (const CutJointDescription& cut : d.cuts) {
         add_equations(cut, frame_of_part(d, cut.part), frame_of_part(d, cut.base), out.equations);
     }
-    out.path.assign(out.freedoms.size() + 1, 0);
-    for (std::size_t k = 0; k < out.freedoms.size(); ++k) {
-        out.path[k + 1] = out.path[static_cast<std::size_t>(out.freedoms[k].parent)] | (1 << k);
+    out.path.assign(out.coordinates.size() + 1, 0);
+    for (std::size_t k = 0; k < out.coordinates.size(); ++k) {
+        out.path[k + 1] = out.path[static_cast<std::size_t>(out.coordinates[k].parent)] | (1 << k);
     }
-    out.independent.resize(out.freedoms.size());
+    out.independent.resize(out.coordinates.size());
     std::iota(out.independent.begin(), out.independent.end(), 0);
     return out;
 }
 
 // Phi_q at design with rows of length one; angles count as 0.3 m of arc, about an arm's length.
 Eigen::MatrixXd scaled_jacobian(const Linkage<double>& linkage) {
-    const std::vector<double> q(linkage.freedoms.size(), 0.0);
+    const std::vector<double> q(linkage.coordinates.size(), 0.0);
     LinkagePosition<double> at;
     linkage.find_loops(q.data(), q.data(), RackMotion<double>{}, at);
-    Eigen::MatrixXd Phi_q(linkage.equations.size(), linkage.freedoms.size());
+    Eigen::MatrixXd Phi_q(linkage.equations.size(), linkage.coordinates.size());
     for (int e = 0; e < Phi_q.rows(); ++e) {
         for (int k = 0; k < Phi_q.cols(); ++k) {
-            Phi_q(e, k) = linkage.entry(at, e, k) / (linkage.freedoms[static_cast<std::size_t>(k)].slides ? 1 : 0.3);
+            Phi_q(e, k) = linkage.entry(at, e, k) / (linkage.coordinates[static_cast<std::size_t>(k)].slides ? 1 : 0.3);
         }
         const double norm = Phi_q.row(e).norm();
         if (norm > 0) Phi_q.row(e) /= norm;
@@ -93,7 +93,7 @@ Eigen::MatrixXd scaled_jacobian(const Linkage<double>& linkage) {
 
 constexpr double rank_tolerance = 1e-6;
 
-// The cut joints whose equations say together what they say already.
+// The cut joints whose equations are linearly dependent.
 std::string redundant_cuts(const LinkageDescription& d, const Eigen::MatrixXd& Phi_q) {
     Eigen::FullPivLU<Eigen::MatrixXd> lu(Phi_q.transpose());
     lu.setThreshold(rank_tolerance);
@@ -111,8 +111,8 @@ std::string redundant_cuts(const LinkageDescription& d, const Eigen::MatrixXd& P
 
 // The part that moves most while all wheels keep their height.
 std::string loose_part(const LinkageDescription& d, const Linkage<double>& linkage, const Eigen::MatrixXd& Phi_q,
-                       const std::vector<CarriedPoint>& wheels) {
-    const std::vector<double> q(linkage.freedoms.size(), 0.0);
+                       const std::vector<PartPoint>& wheels) {
+    const std::vector<double> q(linkage.coordinates.size(), 0.0);
     LinkagePosition<double> at;
     linkage.find_loops(q.data(), q.data(), RackMotion<double>{}, at);
     Eigen::MatrixXd held(Phi_q.rows() + static_cast<Eigen::Index>(wheels.size()), Phi_q.cols());
@@ -129,36 +129,36 @@ std::string loose_part(const LinkageDescription& d, const Linkage<double>& linka
     lu.setThreshold(rank_tolerance);
     const Eigen::MatrixXd free = lu.kernel();
     std::string loosest;
-    double most = 0;
+    double largest = 0;
     for (std::size_t part = d.joints.size(); part > 0; --part) {
         const int own = freedoms(d.joints[part - 1].kind), last = frame_of_part(d, part);
         const double moves = free.middleRows(last - own, own).norm();
-        if (moves > most + 1e-9) most = moves, loosest = d.joints[part - 1].part;
+        if (moves > largest + 1e-9) largest = moves, loosest = d.joints[part - 1].part;
     }
     return loosest;
 }
 
-// A matrix on its way through an elimination, with where it may be other than zero in any position of the linkage.
+// A partly eliminated matrix, with the entries that may be nonzero in any position of the linkage.
 struct Elimination {
     Eigen::MatrixXd A;
     Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> filled;
-    std::vector<int> rows, columns;  // that are left
+    std::vector<int> rows, columns;  // remaining
 
-    // Of the pivots within a fifth of the largest the one that fills in least (Markowitz 1957).
+    // Among pivots of at least a fifth of the largest, the one with the least fill-in (Markowitz 1957).
     std::pair<int, int> best() const {
         double largest = 0;
         for (const int r : rows) {
             for (const int c : columns) largest = std::max(largest, std::abs(A(r, c)));
         }
         std::pair<int, int> best{rows.front(), columns.front()};
-        long least = std::numeric_limits<long>::max();
+        long min_fill = std::numeric_limits<long>::max();
         for (const int r : rows) {
             for (const int c : columns) {
                 if (!(std::abs(A(r, c)) >= 0.2 * largest)) continue;
                 const auto in_row = std::ranges::count_if(columns, [&](int other) { return filled(r, other); });
                 const auto in_column = std::ranges::count_if(rows, [&](int other) { return filled(other, c); });
                 const long fill = (in_row - 1) * (in_column - 1);
-                if (fill < least) least = fill, best = {r, c};
+                if (fill < min_fill) min_fill = fill, best = {r, c};
             }
         }
         return best;
@@ -175,7 +175,7 @@ struct Elimination {
     }
 };
 
-// Chosen once, at design, with the zeros that the linkage has: a step exchanges rows only where these pivots do not serve
+// Chosen once, at design, for the sparsity of this linkage: a step exchanges rows only where these pivots are too small
 // (math/small_solve.hpp).
 void choose_pivots(Linkage<double>& linkage) {
     const int n = std::min(linkage.nW(), static_cast<int>(linkage.equations.size()));
@@ -204,24 +204,25 @@ int frame_of_part(const LinkageDescription& linkage, std::size_t part) {
     return frame;
 }
 
-LinkageVerdict choose_partition(const LinkageDescription& d, const std::vector<CarriedPoint>& wheels) {
-    const int wanted = static_cast<int>(wheels.size());
+PartitionResult choose_partition(const LinkageDescription& d, const std::vector<PartPoint>& wheels) {
+    const int expected = static_cast<int>(wheels.size());
     const Linkage<double> linkage = tables(d);
     const Eigen::MatrixXd Phi_q = scaled_jacobian(linkage);
     const int coordinates = static_cast<int>(Phi_q.cols()), equations = static_cast<int>(Phi_q.rows());
-    LinkageVerdict out;
+    PartitionResult out;
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(Phi_q);
     qr.setThreshold(rank_tolerance);
     const int rank = equations > 0 ? static_cast<int>(qr.rank()) : 0;
-    out.freedoms = coordinates - rank;
+    out.degrees_of_freedom = coordinates - rank;
     if (rank < equations) {
-        out.problem = "redundant cut joints: " + redundant_cuts(d, Phi_q) + " say " + std::to_string(equations - rank) +
-                      " thing(s) twice";
-    } else if (wanted > 0 && out.freedoms > wanted) {
-        out.problem = std::to_string(out.freedoms - wanted) + " cut equation(s) too few: '" +
+        out.problem = "redundant cut joints: " + redundant_cuts(d, Phi_q) + " add " + std::to_string(equations - rank) +
+                      " dependent equation(s)";
+    } else if (expected > 0 && out.degrees_of_freedom > expected) {
+        out.problem = std::to_string(out.degrees_of_freedom - expected) + " cut equation(s) too few: '" +
                       loose_part(d, linkage, Phi_q, wheels) + "' is loose";
-    } else if (out.freedoms < wanted) {
-        out.problem = std::to_string(wanted - out.freedoms) + " cut equation(s) too many: the wheels cannot move";
+    } else if (out.degrees_of_freedom < expected) {
+        out.problem =
+            std::to_string(expected - out.degrees_of_freedom) + " cut equation(s) too many: the wheels cannot move";
     }
     std::vector<bool> dependent(static_cast<std::size_t>(coordinates), false);
     for (int i = 0; i < rank; ++i) dependent[static_cast<std::size_t>(qr.colsPermutation().indices()[i])] = true;

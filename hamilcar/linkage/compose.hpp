@@ -1,4 +1,4 @@
-// From a linkage as people describe it to the tables of a Linkage: joints become coordinates, cut joints equations.
+// From the description of a linkage to the tables of a Linkage: joints become coordinates, cut joints equations.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ namespace hamilcar {
 // The frame of a part: that of its joint's last coordinate; 0 for part 0.
 int frame_of_part(const LinkageDescription& linkage, std::size_t part);
 
-// The tables in doubles, partitioned as described or, if the description leaves it open, as `choose_partition` does.
+// The tables in doubles, partitioned as described, or by `choose_partition` if the description does not say.
 Linkage<double> compose(const LinkageDescription& linkage);
 
-// The same for any number.
+// The same for any scalar type.
 template <class T>
 Linkage<T> compose_for(const LinkageDescription& linkage) {
     if constexpr (std::is_same_v<T, double>) {
@@ -23,8 +23,8 @@ Linkage<T> compose_for(const LinkageDescription& linkage) {
     } else {
         const Linkage<double> one = compose(linkage);
         Linkage<T> out;
-        for (const auto& f : one.freedoms) {
-            out.freedoms.push_back({f.slides, f.parent, f.same_point, as<T>(f.point), as<T>(f.axis)});
+        for (const auto& f : one.coordinates) {
+            out.coordinates.push_back({f.slides, f.parent, f.same_point, as<T>(f.point), as<T>(f.axis)});
         }
         for (const auto& e : one.equations) {
             out.equations.push_back(
@@ -36,21 +36,21 @@ Linkage<T> compose_for(const LinkageDescription& linkage) {
     }
 }
 
-// A wheel's center, on its carrier.
-struct CarriedPoint {
+// A point of a part, such as a wheel's center on its carrier.
+struct PartPoint {
     std::size_t part;
     Point point;
 };
 
-// What the Jacobian at design says of a linkage that is to leave every wheel one freedom.
-struct LinkageVerdict {
+// What the Jacobian at design says about a linkage that should leave each wheel one degree of freedom.
+struct PartitionResult {
     std::vector<int> independent;  // coordinates
-    int freedoms = 0;              // coordinates less independent equations
-    std::string problem;  // empty, or what is wrong: how many cuts are missing and which part is loose, or redundant
+    int degrees_of_freedom = 0;    // coordinates less independent equations
+    std::string problem;           // empty, or what is wrong: which part is loose, or which cuts are redundant
 };
 
-// The rack stands still in the middle. Dependent become the coordinates that the equations hold best: the first pivots of a
-// QR decomposition with column pivoting. Without wheels there is no problem.
-LinkageVerdict choose_partition(const LinkageDescription& linkage, const std::vector<CarriedPoint>& wheels);
+// With the rack centered. The dependent coordinates are those that the equations determine best: the first pivots of a QR
+// decomposition with column pivoting. Without wheels no problem is reported.
+PartitionResult choose_partition(const LinkageDescription& linkage, const std::vector<PartPoint>& wheels);
 
 }  // namespace hamilcar

@@ -1,4 +1,4 @@
-// Where a frame of the suspension stands in the chassis. Frames are placed so that at design every pose is the identity:
+// Pose of a suspension's frame in the chassis. Frames are chosen so that at design every pose is the identity:
 // hardpoints of any body are then simply vehicle coordinates, and no joint needs alignment matrices C_ij (3).
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace hamilcar {
 
-// Takes body coordinates X to chassis coordinates R X + p.
+// Transforms body coordinates X to chassis coordinates R X + p.
 template <class T>
 struct Pose {
     Mat3<T> R;
@@ -15,7 +15,7 @@ struct Pose {
     Vec3<T> direction(const Vec3<T>& u) const { return R * u; }
 };
 
-// The same pose by a point: `mark`, fixed in the frame at design, has come to `at`.
+// The same pose by a point: `mark`, a point of the frame at design, is now at `at`.
 template <class T>
 struct Placement {
     Mat3<T> R;

@@ -1,11 +1,11 @@
 // A linkage of any shape, as tables: a tree of parts from the chassis outward, loops closed by cut joints between any two of
-// them, and the choice of independent coordinates. B, Phi_q, H, X and all their rates are written here, once.
+// them, and the choice of independent coordinates. B, Phi_q, H, X and all their rates are computed here.
 //
 // Every tree joint is a chain of coordinates that turn about or slide along one axis, and coordinate k carries frame k + 1.
 // Every cut joint is a list of equations, distances and planes, and for both the row of Phi_q is one wrench (g ; P x g) on
 // `part` and its reaction on `base`: the entry of coordinate k is the wrench's power on the column of B, counted where the
-// coordinate carries one of the two and not the other. The motions of all frames, folded over the independent coordinates,
-// are collected outward, frame by frame: J (the paper's BH), the drift x (BX), and with the rates of the columns
+// coordinate moves one of the two and not the other. The motions of all frames per independent coordinate are accumulated
+// outward, frame by frame: J (the paper's BH), the prescribed motion x (BX), and with the rates of the columns
 //     Z = sum B' Y,   J' = Z + sum B Y',   Y = (1 ; H)
 // so that (47) is  H' = -Phi_w^-1 (w'.(J_part - J_base) + w.(Z_part - Z_base))  and a spring's lever arm is w.(J_part - J_base).
 #pragma once
@@ -19,32 +19,32 @@ namespace hamilcar {
 
 template <class T>
 struct Linkage {
-    std::vector<Freedom<T>> freedoms;
+    std::vector<LinkageCoordinate<T>> coordinates;
     std::vector<LoopEquation<T>> equations;
     std::vector<int> independent, dependent;  // coordinates
-    std::vector<int> path;                    // of every frame: bit k set if coordinate k carries it
-    // The order in which Phi_w is eliminated: an equation and, as its pivot's column, a place among the dependent ones.
+    std::vector<int> path;                    // for every frame: bit k is set if coordinate k moves it
+    // The order in which Phi_w is eliminated: an equation and, as its pivot's column, an index into `dependent`.
     std::vector<int> pivot_equation, pivot_dependent;
     static constexpr auto members() {
         using L = Linkage;
-        return std::tuple(&L::freedoms, &L::equations, &L::independent, &L::dependent, &L::path, &L::pivot_equation,
+        return std::tuple(&L::coordinates, &L::equations, &L::independent, &L::dependent, &L::path, &L::pivot_equation,
                           &L::pivot_dependent);
     }
-    int nq() const { return static_cast<int>(freedoms.size()); }
+    int nq() const { return static_cast<int>(coordinates.size()); }
     int nV() const { return static_cast<int>(independent.size()); }
     int nW() const { return static_cast<int>(dependent.size()); }
 
-    // A point of the hub that everything turns about first: there the columns of the first joint have no linear part.
-    Vec3<T> anchor() const { return freedoms[0].slides ? Vec3<T>(Vec3<T>::Zero()) : freedoms[0].point; }
+    // A point of the chassis on the first joint: about it the columns of that joint have no linear part.
+    Vec3<T> anchor() const { return coordinates[0].slides ? Vec3<T>(Vec3<T>::Zero()) : coordinates[0].point; }
 
     // Frames, columns of B and equations at given coordinates.
     void find_loops(const T* V, const T* W, const RackMotion<T>& rack, LinkagePosition<T>& out) const {
         place(V, W, out);
         evaluate_loops(rack, out);
     }
-    // 1 where the coordinate carries the equation's part alone, -1 where its base alone.
+    // 1 where the coordinate moves the equation's part alone, -1 where its base alone.
     int sign(int e, int k) const { return ((path[equations[e].part] >> k) & 1) - ((path[equations[e].base] >> k) & 1); }
-    // Of Phi_q.  // (26), A.3
+    // Entry of Phi_q.  // (26), A.3
     T entry(const LinkagePosition<T>& at, int e, int k) const {
         const int s = sign(e, k);
         if (s == 0) return T(0);
@@ -57,7 +57,7 @@ struct Linkage {
                        LinkagePosition<T>& out) const {
         find_loops(V, W, rack, out);
         eliminate(rack, alpha, out);
-        collect(out.B, out.follow, out.creep, out.own);
+        accumulate(out.B, out.Y, out.X, out.own);
         refer(out.own, out.motion);
     }
 
@@ -67,61 +67,61 @@ struct Linkage {
         LinkagePosition<T> at;
         find_loops(V, W, rack, at);
         eliminate(rack, T(0), at);
-        for (int i = 0; i < nW(); ++i) W[i] += at.closing[i];
+        for (int i = 0; i < nW(); ++i) W[i] += at.correction[i];
     }
 
     void find_rates(const LinkagePosition<T>& at, const std::array<T, max_freedoms>& V_rate, const RackMotion<T>& rack,
                     LinkageRates<T>& out) const {
         out.v[0].setZero();
         for (int k = 0; k < nq(); ++k) {
-            T rate = at.creep[k];
-            for (int j = 0; j < nV(); ++j) rate += at.follow[k][j] * V_rate[j];  // (38), (40), (41)
+            T rate = at.X[k];
+            for (int j = 0; j < nV(); ++j) rate += at.Y[k][j] * V_rate[j];  // (38), (40), (41)
             out.q[k] = rate;
-            const Spatial<T>& v = out.v[freedoms[k].parent];
+            const Spatial<T>& v = out.v[coordinates[k].parent];
             out.v[k + 1] = v + at.B[k] * rate;  // (18)
             out.B[k] = cross_motion<T>(v, at.B[k]);
         }
         for (int e = 0; e < nW(); ++e) out.wrench[e] = wrench_rate(at, out, e, rack);
-        collect(out.B, at.follow, at.creep, out.own);
-        std::array<std::array<T, max_freedoms>, max_coordinates> follow_rate;
+        accumulate(out.B, at.Y, at.X, out.own);
+        std::array<std::array<T, max_freedoms>, max_coordinates> Y_rate;
         for (int j = 0; j < nV(); ++j) {
-            std::array<T, max_equations> bent;
+            std::array<T, max_equations> rhs;
             for (int e = 0; e < nW(); ++e) {
                 const int part = equations[e].part, base = equations[e].base;
-                bent[e] = out.wrench[e].dot(at.own.J[part].col(j) - at.own.J[base].col(j)) +
-                          at.wrench[e].dot(out.own.J[part].col(j) - out.own.J[base].col(j));
+                rhs[e] = out.wrench[e].dot(at.own.J[part].col(j) - at.own.J[base].col(j)) +
+                         at.wrench[e].dot(out.own.J[part].col(j) - out.own.J[base].col(j));
             }
-            for (int k = 0; k < nV(); ++k) follow_rate[independent[k]][j] = T(0);
-            for (int i = 0; i < nW(); ++i) follow_rate[dependent[i]][j] = -solved(at, i, bent);  // (47)
+            for (int k = 0; k < nV(); ++k) Y_rate[independent[k]][j] = T(0);
+            for (int i = 0; i < nW(); ++i) Y_rate[dependent[i]][j] = -solved(at, i, rhs);  // (47)
         }
-        std::array<Matrix<T, 6, max_freedoms>, max_frames> turned_out;  // sum B Y'
-        turned_out[0].setZero(), out.motion.J[0].setZero();
+        std::array<Matrix<T, 6, max_freedoms>, max_frames> B_Y_rate;  // sum B Y'
+        B_Y_rate[0].setZero(), out.motion.J[0].setZero();
         for (int k = 0; k < nq(); ++k) {
             for (int j = 0; j < nV(); ++j) {
-                turned_out[k + 1].col(j) = turned_out[freedoms[k].parent].col(j) + at.B[k] * follow_rate[k][j];
-                out.motion.J[k + 1].col(j) = referred(out.own.J[k + 1].col(j) + turned_out[k + 1].col(j));
+                B_Y_rate[k + 1].col(j) = B_Y_rate[coordinates[k].parent].col(j) + at.B[k] * Y_rate[k][j];
+                out.motion.J[k + 1].col(j) = referred(out.own.J[k + 1].col(j) + B_Y_rate[k + 1].col(j));
             }
         }
     }
 
-    // Rate of the drift x of every frame, seen from the hub; only the energy balance asks for it.
-    void find_drift_rates(const LinkagePosition<T>& at, const LinkageRates<T>& rates, const RackMotion<T>& rack,
-                          const T& alpha, std::array<Spatial<T>, max_frames>& out) const {
-        std::array<T, max_equations> bent;
+    // Rate of the prescribed motion x of every frame relative to the chassis; only the energy balance needs it.
+    void find_prescribed_rates(const LinkagePosition<T>& at, const LinkageRates<T>& rates, const RackMotion<T>& rack,
+                               const T& alpha, std::array<Spatial<T>, max_frames>& out) const {
+        std::array<T, max_equations> rhs;
         for (int e = 0; e < nW(); ++e) {
             const LoopEquation<T>& eq = equations[e];
             const Vec3<T> u = at.pose[eq.base].direction(eq.drive), u_rate = angular(rates.v[eq.base]).cross(u);
             const Vec3<T> g = at.gradient[e], g_rate = linear(rates.wrench[e]);
-            bent[e] = rates.wrench[e].dot(at.own.x[eq.part] - at.own.x[eq.base]) +
-                      at.wrench[e].dot(rates.own.x[eq.part] - rates.own.x[eq.base]) - alpha * (alpha * at.Phi[e]) -
-                      ((g_rate.dot(u) + g.dot(u_rate)) * rack.rate + g.dot(u) * rack.acceleration);
+            rhs[e] = rates.wrench[e].dot(at.own.x[eq.part] - at.own.x[eq.base]) +
+                     at.wrench[e].dot(rates.own.x[eq.part] - rates.own.x[eq.base]) - alpha * (alpha * at.Phi[e]) -
+                     ((g_rate.dot(u) + g.dot(u_rate)) * rack.rate + g.dot(u) * rack.acceleration);
         }
         out[0].setZero();
-        std::array<T, max_coordinates> creep_rate;
-        for (int k = 0; k < nV(); ++k) creep_rate[independent[k]] = T(0);
-        for (int i = 0; i < nW(); ++i) creep_rate[dependent[i]] = -solved(at, i, bent);
+        std::array<T, max_coordinates> X_rate;
+        for (int k = 0; k < nV(); ++k) X_rate[independent[k]] = T(0);
+        for (int i = 0; i < nW(); ++i) X_rate[dependent[i]] = -solved(at, i, rhs);
         for (int k = 0; k < nq(); ++k) {
-            out[k + 1] = out[freedoms[k].parent] + rates.B[k] * at.creep[k] + at.B[k] * creep_rate[k];
+            out[k + 1] = out[coordinates[k].parent] + rates.B[k] * at.X[k] + at.B[k] * X_rate[k];
         }
         for (int k = 0; k < nq(); ++k) out[k + 1] = referred(out[k + 1]);
     }
@@ -134,8 +134,8 @@ struct Linkage {
             for (int i = 0; i < nV(); ++i) out.length = independent[i] == where.coordinate ? V[i] : out.length;
             for (int i = 0; i < nW(); ++i) out.length = dependent[i] == where.coordinate ? W[i] : out.length;
             out.length += where.at_design;
-            out.gradient = at.follow[where.coordinate];
-            out.drift = at.creep[where.coordinate];
+            out.gradient = at.Y[where.coordinate];
+            out.prescribed_rate = at.X[where.coordinate];
             return out;
         }
         const Vec3<T> p = at.pose[where.part].point(where.on_part);
@@ -146,15 +146,15 @@ struct Linkage {
         return out;
     }
 
-    // How the motions about the anchor change the distance of part and base along n through p.
+    // How the motions about the anchor change the distance between part and base along n through p.
     void along(const Vec3<T>& n, const Vec3<T>& p, int part, int base, const FrameMotions<T>& motion,
                LineOfAction<T>& out) const {
         const Spatial<T> wrench = force_at<T>(Vec3<T>(p - anchor()), n);
         for (int j = 0; j < nV(); ++j) out.gradient[j] = wrench.dot(motion.J[part].col(j) - motion.J[base].col(j));
-        out.drift = wrench.dot(motion.x[part] - motion.x[base]);
+        out.prescribed_rate = wrench.dot(motion.x[part] - motion.x[base]);
     }
 
-    T opening(int e, const LinkagePosition<T>& at) const {
+    T violation(int e, const LinkagePosition<T>& at) const {
         return equations[e].plane ? abs(at.Phi[e]) : abs(sqrt(at.span[e].squaredNorm()) - equations[e].length);
     }
 
@@ -166,7 +166,7 @@ private:
         out.pose[0] = {Mat3<T>::Identity(), Vec3<T>::Zero(), Vec3<T>::Zero()};
         std::array<Vec3<T>, max_coordinates> arm;  // of each joint's point, from the anchor
         for (int k = 0; k < nq(); ++k) {
-            const Freedom<T>& f = freedoms[k];
+            const LinkageCoordinate<T>& f = coordinates[k];
             const Placement<T>& parent = out.pose[f.parent];
             const Vec3<T> e = parent.direction(f.axis);
             if (f.slides) {
@@ -200,7 +200,7 @@ private:
         return sum;
     }
 
-    // Small ones by cofactors, which no order of pivots can fail.
+    // Small matrices by cofactors, which need no pivots.
     void invert_dependent(LinkagePosition<T>& out) const {
         const auto invert = [&](auto size) {
             constexpr int n = size;
@@ -233,22 +233,22 @@ private:
         for (int j = 0; j < nV(); ++j) {
             std::array<T, max_equations> Phi_v;
             for (int e = 0; e < nW(); ++e) Phi_v[e] = entry(out, e, independent[j]);
-            for (int k = 0; k < nV(); ++k) out.follow[independent[k]][j] = T(k == j ? 1 : 0);
-            for (int i = 0; i < nW(); ++i) out.follow[dependent[i]][j] = -solved(out, i, Phi_v);  // (39)
+            for (int k = 0; k < nV(); ++k) out.Y[independent[k]][j] = T(k == j ? 1 : 0);
+            for (int i = 0; i < nW(); ++i) out.Y[dependent[i]][j] = -solved(out, i, Phi_v);  // (39)
         }
         std::array<T, max_equations> driven;  // (27), (28)
         for (int e = 0; e < nW(); ++e) {
             const LoopEquation<T>& eq = equations[e];
             driven[e] = alpha * out.Phi[e] - out.gradient[e].dot(out.pose[eq.base].direction(eq.drive)) * rack.rate;
         }
-        for (int k = 0; k < nV(); ++k) out.creep[independent[k]] = T(0);
+        for (int k = 0; k < nV(); ++k) out.X[independent[k]] = T(0);
         for (int i = 0; i < nW(); ++i) {
-            out.creep[dependent[i]] = -solved(out, i, driven);
-            out.closing[i] = -solved(out, i, out.Phi);
+            out.X[dependent[i]] = -solved(out, i, driven);
+            out.correction[i] = -solved(out, i, out.Phi);
         }
     }
 
-    // From the anchor to the hub's origin.
+    // Refers a motion about the anchor to the chassis origin.
     Spatial<T> referred(const Spatial<T>& motion) const {
         return spatial<T>(linear(motion) - angular(motion).cross(anchor()), angular(motion));
     }
@@ -260,16 +260,16 @@ private:
         }
     }
 
-    // sum of the motions times what the coordinates do, outward.
-    void collect(const std::array<Spatial<T>, max_coordinates>& B,
-                 const std::array<std::array<T, max_freedoms>, max_coordinates>& follow,
-                 const std::array<T, max_coordinates>& creep, FrameMotions<T>& out) const {
+    // Sums the columns of B times the coordinates' rates, outward.
+    void accumulate(const std::array<Spatial<T>, max_coordinates>& B,
+                    const std::array<std::array<T, max_freedoms>, max_coordinates>& Y,
+                    const std::array<T, max_coordinates>& X, FrameMotions<T>& out) const {
         out.J[0].setZero();
         out.x[0].setZero();
         for (int k = 0; k < nq(); ++k) {
-            const int parent = freedoms[k].parent;
-            for (int j = 0; j < nV(); ++j) out.J[k + 1].col(j) = out.J[parent].col(j) + B[k] * follow[k][j];
-            out.x[k + 1] = out.x[parent] + B[k] * creep[k];
+            const int parent = coordinates[k].parent;
+            for (int j = 0; j < nV(); ++j) out.J[k + 1].col(j) = out.J[parent].col(j) + B[k] * Y[k][j];
+            out.x[k + 1] = out.x[parent] + B[k] * X[k];
         }
     }
 

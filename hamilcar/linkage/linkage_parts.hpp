@@ -1,4 +1,4 @@
-// The tables of a linkage, and what is found of it in one position and one motion.
+// The tables of a linkage, and the results for one position and one motion.
 #pragma once
 
 #include <array>
@@ -16,18 +16,18 @@ inline constexpr int max_frames = max_coordinates + 1;
 
 // One coordinate: its frame turns about an axis of the parent frame or slides along it; zero at design.
 template <class T>
-struct Freedom {
+struct LinkageCoordinate {
     int slides;           // 1 [m], or 0: turns [rad]
     int parent;           // frame
     int same_point;       // 1: turns about the same point as its parent frame does
     Vec3<T> point, axis;  // in the parent, at design
     static constexpr auto members() {
-        using F = Freedom;
+        using F = LinkageCoordinate;
         return std::tuple(&F::slides, &F::parent, &F::same_point, &F::point, &F::axis);
     }
 };
 
-// One equation between a point of `part` and a point of `base`, which the rack may drive.
+// One equation between a point of `part` and a point of `base`, which the rack may move.
 template <class T>
 struct LoopEquation {
     int plane;          // 1: axis . (tip - foot) = 0 with the axis fixed in the base; 0: |tip - foot|^2 = length^2
@@ -42,7 +42,7 @@ struct LoopEquation {
     }
 };
 
-// How the frames of a linkage move, per independent coordinate and by themselves.
+// Motions of a linkage's frames: J per rate of the independent coordinates, x prescribed by the rack.
 template <class T>
 struct FrameMotions {
     std::array<Matrix<T, 6, max_freedoms>, max_frames> J;
@@ -52,35 +52,36 @@ struct FrameMotions {
 
 template <class T>
 struct LinkagePosition {
-    std::array<Placement<T>, max_frames> pose;               // [0] is the hub
+    std::array<Placement<T>, max_frames> pose;               // [0] is the chassis
     std::array<Spatial<T>, max_coordinates> B;               // about the anchor
     std::array<Vec3<T>, max_equations> arm, span, gradient;  // P from the anchor, P - foot, g
     std::array<Spatial<T>, max_equations> wrench;            // (g ; arm x g)
-    std::array<T, max_equations> Phi, closing;               // (25); -Phi_w^-1 Phi
+    std::array<T, max_equations> Phi, correction;            // (25); -Phi_w^-1 Phi
     Matrix<T, max_equations, max_equations> Phi_w_inverse;
-    T determinant;                                                    // of Phi_w in the order of its pivots
-    std::array<std::array<T, max_freedoms>, max_coordinates> follow;  // Y: of every coordinate per independent one
-    std::array<T, max_coordinates> creep;                             // X of every coordinate  // (39)
-    FrameMotions<T> own;                                              // about the anchor
-    FrameMotions<T> motion;                                           // about the hub's origin
+    T determinant;  // of Phi_w in the order of its pivots
+    std::array<std::array<T, max_freedoms>, max_coordinates>
+        Y;                             // (1 ; H): rate of every coordinate per independent one
+    std::array<T, max_coordinates> X;  // of every coordinate  // (39)
+    FrameMotions<T> own;               // about the anchor
+    FrameMotions<T> motion;            // about the chassis origin
     LinkagePosition() {}
 };
 
 template <class T>
 struct LinkageRates {
     std::array<T, max_coordinates> q;
-    std::array<Spatial<T>, max_frames> v;          // of the frames, against the hub about the anchor
+    std::array<Spatial<T>, max_frames> v;          // of the frames relative to the chassis, about the anchor
     std::array<Spatial<T>, max_coordinates> B;     // B'
     std::array<Spatial<T>, max_equations> wrench;  // w'
     FrameMotions<T> own;                           // Z, and sum B' X in x, about the anchor
-    FrameMotions<T> motion;                        // J' about the hub's origin
+    FrameMotions<T> motion;                        // J' about the chassis origin
     LinkageRates() {}
 };
 
-// What pushes along a line: its length, how the independent coordinates change it, what the drift adds.
+// A line of force: its length, the length's gradient by the independent coordinates, and its rate from the prescribed motion.
 template <class T>
 struct LineOfAction {
-    T length, drift;
+    T length, prescribed_rate;
     std::array<T, max_freedoms> gradient;
     LineOfAction() {}
 };

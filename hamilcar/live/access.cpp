@@ -33,7 +33,7 @@ bool Access::is_host(std::string_view host) const {
     return host == address_ || host == name_;
 }
 
-int Access::judge(const Request& request) const {
+int Access::judge(const HttpRequest& request) const {
     if (!is_host(request.host)) return forbidden;
     if (request.method != "GET" && request.method != "HEAD") return not_allowed;
     const std::size_t mark = request.target.find('?');
@@ -51,7 +51,7 @@ std::string Access::url() const {
     return fmt::format("http://{}/?token={}", address_, token_);
 }
 
-// A page in one file: its own script and style, pictures that it makes itself, and the live link.
+// The page is a single file: inline script and style, generated images, and the live link.
 std::string Access::content_security_policy() const {
     return fmt::format(
         "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:; "
@@ -61,13 +61,13 @@ std::string Access::content_security_policy() const {
 
 std::string refusal_text(int status, std::string_view reason) {
     if (status != forbidden) return fmt::format("{}\n", reason);
-    return fmt::format("{}. If the program was started anew, open the address that it has printed.\n", reason);
+    return fmt::format("{}. If the program was restarted, open the address that it printed.\n", reason);
 }
 
 std::string random_token() {
     std::array<unsigned char, 16> bytes{};
     if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-        throw io::Error(io::ExitCode::input_output, "the system gives no random numbers");
+        throw io::Error(io::ExitCode::input_output, "cannot get random numbers from the system");
     }
     return fmt::format("{:02x}", fmt::join(bytes, ""));
 }

@@ -1,6 +1,6 @@
-// Who may come in. The server listens on this machine alone, but everything that runs here can reach it, and so can a foreign
-// page in the person's own browser. So: a token that only the printed address has, a Host that is this machine's (a foreign
-// name that resolves to it brings its own), and for the live link an Origin that is this server's.
+// Access control. The server listens on the loopback interface only, but every local program can connect to it, and so can a
+// foreign page in the user's own browser. A request therefore needs the token of the printed address, a Host header that names
+// this machine (a foreign name that resolves to it sends its own) and, for the live link, the Origin of this server.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace hamilcar::live {
 
-// What is looked at of an HTTP request; a header that is absent or stands there twice is empty.
-struct Request {
+// The parts of an HTTP request that access depends on. A header that is absent or repeated is empty.
+struct HttpRequest {
     std::string_view method, target, host, origin;
     bool upgrade = false;  // to a WebSocket
 };
@@ -20,7 +20,7 @@ public:
     Access(std::string token, std::uint16_t port);
 
     // The HTTP status of the answer: 200 sends the page, 101 opens the live link, anything else is a refusal.
-    int judge(const Request& request) const;
+    int judge(const HttpRequest& request) const;
     const std::string& token() const { return token_; }
     std::string url() const;  // of the page
     std::string content_security_policy() const;
@@ -32,13 +32,13 @@ private:
     std::string address_, name_;  // "127.0.0.1:PORT", "localhost:PORT"
 };
 
-// What a refusal says to a person, who may have nothing but an old address: a line of text.
+// The one-line body of a refusal; the user may have an outdated address.
 std::string refusal_text(int status, std::string_view reason);
 
-// 128 random bits in hexadecimal. Throws io::Error(input_output) where the system has none.
+// 128 random bits in hexadecimal. Throws io::Error(input_output) if the system provides none.
 std::string random_token();
 
-// Whether two texts are equal, in a time that tells only how long `given` is.
+// Whether two strings are equal, in a time that depends only on the length of `given`.
 bool same_secret(std::string_view given, std::string_view secret);
 
 }  // namespace hamilcar::live

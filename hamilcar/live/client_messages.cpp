@@ -16,7 +16,7 @@ using nlohmann::json;
 using Scalar = std::variant<std::nullptr_t, bool, std::uint64_t, double, std::string>;
 using Fields = std::map<std::string, Scalar, std::less<>>;
 
-// Hears the parser's events and stops it at anything but one flat object of scalars: no depth, no tree in memory.
+// Receives the parser's events and stops it at anything but one flat object of scalars: no nesting, no tree in memory.
 class FlatObject final : public nlohmann::json_sax<json> {
 public:
     Fields fields;
@@ -28,11 +28,11 @@ public:
     bool end_array() override { return true; }
     bool key(std::string& name) override {
         key_ = name;
-        return !fields.contains(name) || fail(fmt::format("'{}' stands there twice", name));
+        return !fields.contains(name) || fail(fmt::format("duplicate key '{}'", name));
     }
     bool null() override { return add(nullptr); }
     bool boolean(bool value) override { return add(value); }
-    bool number_integer(std::int64_t value) override { return add(static_cast<double>(value)); }  // below zero
+    bool number_integer(std::int64_t value) override { return add(static_cast<double>(value)); }  // negative
     bool number_unsigned(std::uint64_t value) override { return add(value); }
     bool number_float(double value, const std::string&) override { return add(value); }
     bool string(std::string& value) override { return add(value); }
@@ -57,14 +57,14 @@ private:
     std::string key_;
 };
 
-// Takes fields out one by one; keeps the first thing that is wrong.
+// Extracts fields one by one and keeps the first error.
 class FieldReader {
 public:
     explicit FieldReader(Fields fields) : fields_(std::move(fields)) {}
 
     bool has(const char* name) const { return fields_.contains(name); }
     bool flag(const char* name) { return take<bool>(name, "true or false").value_or(false); }
-    std::string text(const char* name) { return take<std::string>(name, "a text").value_or(""); }
+    std::string text(const char* name) { return take<std::string>(name, "a string").value_or(""); }
     double number(const char* name, double low, double high) {
         const std::string range = fmt::format("a number from {:g} to {:g}", low, high);
         const auto found = fields_.find(name);
@@ -74,21 +74,20 @@ public:
             }
         }
         const double value = take<double>(name, range).value_or(low);
-        if (!(value >= low && value <= high)) complain(name, range);
+        if (!(value >= low && value <= high)) report(name, range);
         return value;
     }
     std::uint32_t count(const char* name) {
         const std::uint64_t value = take<std::uint64_t>(name, "a whole number").value_or(0);
-        if (value > std::numeric_limits<std::uint32_t>::max()) complain(name, "at most 32 bits");
+        if (value > std::numeric_limits<std::uint32_t>::max()) report(name, "at most 32 bits");
         return static_cast<std::uint32_t>(value);
     }
-    void complain(const std::string& name, std::string_view expected) {
+    void report(const std::string& name, std::string_view expected) {
         if (problem_.empty()) problem_ = fmt::format("'{}': expected {}", name, expected);
     }
-    // What is wrong, or what is there that does not belong there, or nothing.
+    // The first error, or an unknown key that is left over, or "".
     std::string problem() const {
-        if (problem_.empty() && !fields_.empty())
-            return fmt::format("'{}' does not belong there", fields_.begin()->first);
+        if (problem_.empty() && !fields_.empty()) return fmt::format("unknown key '{}'", fields_.begin()->first);
         return problem_;
     }
 
@@ -97,7 +96,7 @@ private:
     std::optional<T> take(const char* name, std::string_view expected) {
         const auto node = fields_.extract(name);
         if (node && std::holds_alternative<T>(node.mapped())) return std::get<T>(node.mapped());
-        complain(name, expected);
+        report(name, expected);
         return std::nullopt;
     }
 
@@ -107,7 +106,7 @@ private:
 
 Device read_device(FieldReader& fields) {
     const std::string device = fields.text("device");
-    if (device != "keys" && device != "axes") fields.complain("device", "\"keys\" or \"axes\"");
+    if (device != "keys" && device != "axes") fields.report("device", "\"keys\" or \"axes\"");
     return device == "axes" ? Device::axes : Device::keys;
 }
 
@@ -120,11 +119,11 @@ Selector read_selector(FieldReader& fields) {
     for (const auto& [name, selector] : known) {
         if (word == name) return selector;
     }
-    fields.complain("selector", "\"drive\", \"neutral\", \"reverse\" or \"manual\"");
+    fields.report("selector", "\"drive\", \"neutral\", \"reverse\" or \"manual\"");
     return Selector::drive;
 }
 
-// Selector, gear and clutch come together, or not at all.
+// Selector, gear and clutch come together or not at all.
 ClientMessage read_input(FieldReader& f) {
     InputMessage input;
     input.sequence = f.count("sequence");
@@ -136,9 +135,9 @@ ClientMessage read_input(FieldReader& f) {
                       .selector = back ? Selector::reverse : Selector::drive};
     if (!f.has("selector") && !f.has("gear") && !f.has("clutch")) return input;
     input.controls.selector = read_selector(f);
-    if (back != (input.controls.selector == Selector::reverse)) f.complain("reverse", "what the selector says");
+    if (back != (input.controls.selector == Selector::reverse)) f.report("reverse", "the direction of the selector");
     const std::uint32_t gear = f.count("gear");
-    if (gear < 1 || gear > max_gears) f.complain("gear", fmt::format("a gear from 1 to {}", max_gears));
+    if (gear < 1 || gear > max_gears) f.report("gear", fmt::format("a gear from 1 to {}", max_gears));
     input.controls.gear = static_cast<int>(gear);
     input.controls.clutch = f.number("clutch", 0, 1);
     return input;
@@ -163,16 +162,16 @@ const std::map<std::string, ClientMessage (*)(FieldReader&), std::less<>>& reade
 
 }  // namespace
 
-std::variant<ClientMessage, Misunderstanding> read_message(std::string_view text) {
+std::variant<ClientMessage, InvalidMessage> read_message(std::string_view text) {
     FlatObject object;
-    if (!json::sax_parse(text, &object)) return Misunderstanding{object.problem};
+    if (!json::sax_parse(text, &object)) return InvalidMessage{object.problem};
     FieldReader fields(std::move(object.fields));
     const auto reader = readers().find(fields.text("type"));
-    if (reader == readers().end()) fields.complain("type", "input, load, reset, pause, pace, record or take");
-    if (reader == readers().end()) return Misunderstanding{fields.problem()};
+    if (reader == readers().end()) fields.report("type", "input, load, reset, pause, pace, record or take");
+    if (reader == readers().end()) return InvalidMessage{fields.problem()};
     ClientMessage message = reader->second(fields);
     if (const std::string problem = fields.problem(); !problem.empty()) {
-        return Misunderstanding{fmt::format("{}: {}", reader->first, problem)};
+        return InvalidMessage{fmt::format("{}: {}", reader->first, problem)};
     }
     return message;
 }

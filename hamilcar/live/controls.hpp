@@ -1,11 +1,11 @@
-// What a person holds: keys or axes, selector and gear. The range of each is checked where it is received.
+// The user's inputs: keys or axes, selector and gear. Ranges are checked on receipt.
 #pragma once
 
 namespace hamilcar::live {
 
 enum class Device { keys, axes };
 
-// Where the gear lever stands. A car that a mere torque drives knows reverse, and everything else as ahead.
+// Position of the gear lever. A car without power units, driven by a torque, has reverse; any other position is forward.
 enum class Selector { drive, neutral, reverse, manual };
 
 struct Controls {
@@ -14,8 +14,8 @@ struct Controls {
     double throttle = 0;  // 0 to 1
     double brake = 0;     // 0 to 1
     Selector selector = Selector::drive;
-    int gear = 1;       // wanted where the selector is at `manual`
-    double clutch = 0;  // pedal, 0 to 1 all the way down
+    int gear = 1;       // requested gear if the selector is at `manual`
+    double clutch = 0;  // pedal, 0 released to 1 fully pressed
 };
 
 }  // namespace hamilcar::live

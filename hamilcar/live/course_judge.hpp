@@ -1,64 +1,64 @@
-// How a person drives through a maneuver's course: where the car stands between cones and boundaries, watched from its
-// approach until the whole of it has come out.
+// Judges how a person drives through a maneuver's course: the car's position between cones and boundaries is checked from the
+// approach until its rear has left the course.
 //
-//     Course ─► line with stations ─► start, entry, end        Senses ─► CourseJudge ─► CourseRun, plain numbers for frames
+//     Course ─► line with stations ─► start, entry, end        Observation ─► CourseJudge ─► CourseRun, plain numbers for frames
 //
-// The car is the box around it on the ground, cones are points. A course without any of them is driven through along its line
-// alone; a line that returns to its beginning is a lap.
+// The car is represented by its bounding box on the ground, cones by points. A course without cones and boundaries is driven along
+// its line; a line that returns to its beginning is a lap.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "hamilcar/driver/observation.hpp"
 #include "hamilcar/driver/path.hpp"
-#include "hamilcar/driver/senses.hpp"
 #include "hamilcar/maneuver/common.hpp"
 
 namespace hamilcar::live {
 
-// What is to be driven through, and what to call it.
+// A course with the names that it is shown under.
 struct TestCourse {
     std::string id;       // "double_lane_change"
     std::string name;     // short: "ISO 3888-1"
     std::string title;    // "Double lane change"
-    std::string summary;  // one sentence: what to do, and what of it is judged; the judge's own
+    std::string summary;  // one sentence by CourseJudge: the task and the criteria
     Course course;
 };
 
-// What has been seen so far.
+// Measurements of the run so far.
 struct CourseRun {
     bool entered = false, over = false;
     bool finished = false;                   // driven to its end
-    int cones = 0, boundaries = 0;           // that were touched, each counted once
-    double entry_time = 0, time = 0;         // of the foremost point at the entry; at the end, or as far as it went [s]
+    int cones = 0, boundaries = 0;           // touched ones, each counted once
+    double entry_time = 0, time = 0;         // when the front passes the entry; duration to the end, or so far [s]
     double entry_speed = 0, exit_speed = 0;  // [m/s]
     double distance = 0;                     // along the line since the entry [m]
-    double lateral_acceleration = 0;         // largest, either way [m/s^2]
+    double lateral_acceleration = 0;         // largest magnitude [m/s^2]
     double sum_acceleration = 0;             // of lateral accelerations, to the left positive [m/s^2]
     double sum_offset = 0;                   // of distances of the center of mass from the line [m]
-    long looks = 0;                          // in these sums
+    long samples = 0;                        // number of terms in these sums
 };
 
 class CourseJudge {
 public:
-    // Throws std::invalid_argument where the line is none.
+    // Throws std::invalid_argument if the line is not a valid path.
     CourseJudge(TestCourse course, const VehicleDescription& vehicle);
 
     const TestCourse& course() const { return course_; }
-    // Where a car stands that is to drive through, heading along the line [m], [rad].
+    // Initial pose of a car, heading along the line [m], [rad].
     struct Start {
         double x, y, yaw;
     };
     Start start() const;
 
-    void begin();  // the car is at its start
-    // Again and again, a few milliseconds apart; without allocation.
-    void look(const Senses& senses);
-    void give_up() { run_.over = true; }  // the car cannot go on
+    void begin();  // a new run; the car is at its start
+    // To be called every few milliseconds; does not allocate.
+    void update(const Observation& observation);
+    void abort() { run_.over = true; }  // the car cannot continue
     const CourseRun& run() const { return run_; }
 
 private:
-    // A boundary and where it stands beside the line.
+    // A boundary and its position relative to the line.
     struct Side {
         Gate gate;
         double begin, end;  // stations [m]
@@ -66,10 +66,11 @@ private:
     };
     double station_of(double x, double y) const;
     Side side_of(const Gate& gate) const;
-    bool touches(const Senses& senses, const std::array<double, 2>& from, const std::array<double, 2>& to) const;
-    bool is_beyond(const Senses& senses, const Side& side) const;
-    void look_around(const Senses& senses);
-    void pass(const Senses& senses, double station, double offset);
+    bool touches(const Observation& observation, const std::array<double, 2>& from,
+                 const std::array<double, 2>& to) const;
+    bool is_beyond(const Observation& observation, const Side& side) const;
+    void check_contacts(const Observation& observation);
+    void update_run(const Observation& observation, double station, double offset);
 
     TestCourse course_;
     Footprint box_;
@@ -79,9 +80,9 @@ private:
 
     CourseRun run_;
     std::vector<char> cones_, crossed_;  // whether touched
-    bool begun_ = false;
-    double station_ = 0;  // of the center of mass, at the last look [m]
-    Senses last_;
+    bool has_previous_ = false;
+    double station_ = 0;  // of the center of mass, at the last update [m]
+    Observation last_;
 };
 
 }  // namespace hamilcar::live

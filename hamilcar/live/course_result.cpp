@@ -9,7 +9,7 @@ namespace hamilcar::live {
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 std::string count(int number, const char* one, const char* many) {
     return fmt::format("{} {}", number, number == 1 ? one : many);
@@ -20,21 +20,22 @@ std::string count(int number, const char* one, const char* many) {
 CourseResult course_result(const Course& course, const CourseRun& run) {
     CourseResult out{.finished = run.finished, .time = run.time};
     const auto add = [&](const char* name, const char* unit, const char* meaning, double value, bool known) {
-        out.values.push_back({name, unit, meaning, known ? value : unknown});
+        out.values.push_back({name, unit, meaning, known ? value : not_a_number});
     };
-    const double mean_speed = run.distance / std::max(run.time, 1e-3), looks = std::max(run.looks, 1L);
+    const double mean_speed = run.distance / std::max(run.time, 1e-3), samples = std::max(run.samples, 1L);
     add("entry speed", "km/h", "", run.entry_speed / kilometer_per_hour, run.entered);
     add("exit speed", "km/h", "", run.exit_speed / kilometer_per_hour, run.finished);
     add("mean speed", "km/h", "along the line", mean_speed / kilometer_per_hour, run.finished);
     add("largest lateral acceleration", "m/s^2", "of the center of mass, either way", run.lateral_acceleration,
-        run.looks > 0);
+        run.samples > 0);
     if (course.cones.empty() && course.boundaries.empty()) {
-        add("mean lateral acceleration", "m/s^2", "to the left positive", run.sum_acceleration / looks, run.looks > 0);
-        add("mean deviation", "m", "of the center of mass from the line, either way", run.sum_offset / looks,
-            run.looks > 0);
+        add("mean lateral acceleration", "m/s^2", "to the left positive", run.sum_acceleration / samples,
+            run.samples > 0);
+        add("mean deviation", "m", "of the center of mass from the line, either way", run.sum_offset / samples,
+            run.samples > 0);
         return out;
     }
-    // Who did not come to the end may have touched something, but has not shown that he touches nothing.
+    // An unfinished run can fail a criterion, but it cannot pass one.
     const auto add_touched = [&](const char* criterion, int touched, const char* one, const char* many) {
         const bool judged = run.finished || touched > 0;
         out.verdicts.push_back({criterion, judged ? std::optional(touched == 0) : std::nullopt,

@@ -1,4 +1,4 @@
-// What came out of a drive through a course, in words and numbers for a person.
+// Result of a drive through a course, in words and numbers for the user.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,16 @@ namespace hamilcar::live {
 
 struct CourseVerdict {
     std::string criterion;       // "no cone is hit"
-    std::optional<bool> passed;  // empty: not judged, because the car never came to the end
-    std::string found;           // "2 cones"; "" where there is nothing to tell
+    std::optional<bool> passed;  // empty: not judged, because the car did not finish
+    std::string found;           // "2 cones"; "" if there is nothing to report
 };
 
 struct CourseResult {
     bool finished = false;       // driven to its end
-    std::optional<bool> passed;  // empty: there is nothing to pass
+    std::optional<bool> passed;  // empty: there is no criterion
     std::vector<Figure> values;
     std::vector<CourseVerdict> verdicts;
-    double time = 0;  // from the entry to the end, or as far as it went [s]
+    double time = 0;  // from the entry to the end, or to where the run ended [s]
 };
 
 CourseResult course_result(const Course& course, const CourseRun& run);

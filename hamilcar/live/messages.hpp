@@ -1,8 +1,7 @@
-// What passes between the page and the server, as text and bytes. The page's side is web/src/live/protocol.ts; the two change
-// together.
+// Messages between page and server, as text and bytes. The page's side is web/src/live/protocol.ts; the two change together.
 //
-// What a page says is taken at its word only if it is a flat object with exactly the fields of its type, each of its kind and
-// within its range. Whatever else may come over a socket is answered, never trusted.
+// A client message is accepted only if it is a flat object with exactly the fields of its type, each of the right type and within
+// its range. Anything else is refused with an error message.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +26,7 @@ struct PaceMessage {
     double factor = 1;
 };
 struct LoadMessage {
-    Wish wish;
+    LoadRequest request;
 };
 struct RecordMessage {
     bool on = false;
@@ -37,26 +36,26 @@ struct TakeMessage {};
 using ClientMessage =
     std::variant<InputMessage, ResetMessage, PauseMessage, PaceMessage, LoadMessage, RecordMessage, TakeMessage>;
 
-// What was not understood, for a person.
-struct Misunderstanding {
+// Why a message was refused, for the user.
+struct InvalidMessage {
     std::string message;
 };
 
-std::variant<ClientMessage, Misunderstanding> read_message(std::string_view text);
+std::variant<ClientMessage, InvalidMessage> read_message(std::string_view text);
 
-// Who is there, as a status tells it.
-struct Attendance {
-    std::uint32_t driver = 0;  // page; 0: none
+// The connections, as reported in a status message.
+struct ConnectionStatus {
+    std::uint32_t driver = 0;  // number of its page; 0: none
     std::size_t pages = 0;
 };
 
-std::string hello_message(std::uint32_t page, const Garage& garage);
-std::string car_message(const Ride& ride);
+std::string hello_message(std::uint32_t page, const Catalog& catalog);
+std::string car_message(const LiveSimulation& simulation);
 std::string result_message(const TestCourse& course, const CourseRun& run);
-std::string status_message(const Attendance& attendance, const Progress& progress, const RecordingStatus& recording,
-                           long lost_frames);
+std::string status_message(const ConnectionStatus& connections, const Progress& progress,
+                           const RecordingStatus& recording, long lost_frames);
 std::string refusal_message(std::string_view message);
-// Bytes.
+// Binary messages.
 std::string frame_message(std::uint32_t car, const Frame& frame);
 std::string tile_message(std::uint32_t car, const RoadTile& tile);
 

@@ -22,7 +22,7 @@ void Pacer::restart(Nanoseconds now) {
 void Pacer::set_pace(double pace, Nanoseconds now) {
     pace_ = pace;
     period_ = step_ / pace / nanosecond;
-    whole_ = false;
+    full_window_ = false;
     restart(now);
 }
 
@@ -32,12 +32,12 @@ Nanoseconds Pacer::deadline() const {
 
 void Pacer::begin(Nanoseconds now) {
     const Nanoseconds late = now - deadline();
-    report_.worst = std::max(report_.worst, nanosecond * static_cast<double>(late));
+    report_.worst_delay = std::max(report_.worst_delay, nanosecond * static_cast<double>(late));
     if (static_cast<double>(late) > period_) ++report_.overruns;
-    if (late > patience) {
+    if (late > skip_threshold) {
         origin_ += late;
-        ++report_.given_up;
-        report_.lost += nanosecond * static_cast<double>(late);
+        ++report_.skips;
+        report_.skipped_time += nanosecond * static_cast<double>(late);
     }
     if (!first_) {
         window_.periods += now - began_;
@@ -53,13 +53,13 @@ void Pacer::end(Nanoseconds now) {
     ++since_origin_;
     ++report_.steps;
     const bool full = now - window_.start >= second;
-    if (full || !whole_) look_back();
+    if (full || !full_window_) update_means();
     if (!full) return;
-    whole_ = true;
+    full_window_ = true;
     window_ = {.start = now};
 }
 
-void Pacer::look_back() {
+void Pacer::update_means() {
     const auto mean = [](Nanoseconds sum, long count) {
         return nanosecond * static_cast<double>(sum) / static_cast<double>(std::max(count, 1L));
     };

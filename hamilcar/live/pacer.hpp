@@ -1,8 +1,8 @@
-// When each step is due, and how well that is kept.
+// Deadlines of the steps, and statistics on how well they are met.
 //
-// Deadlines are absolute: the n-th is n periods after the start, so that no error of a single one adds up. Whoever is a
-// little late runs after them without waiting; whoever is late by more than `patience`, as a laptop is that slept, gives
-// up the lost time. The pacer has no clock: it is told what time it is, so it can be tested without any.
+// Deadlines are absolute: the n-th is n periods after the start, so that errors do not accumulate. A loop that is a little late
+// catches up without sleeping; one that is late by more than `skip_threshold`, for example after suspend, skips the lost time. The
+// pacer has no clock: times are arguments, so it can be tested without one.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +13,22 @@ using Nanoseconds = std::int64_t;
 
 struct PaceReport {
     long steps = 0;
-    double period = 0;   // real time from step to step, mean over the last full second; of the first so far [s]
-    double compute = 0;  // from begin to end of a step, likewise [s]
-    long overruns = 0;   // steps that began more than one period late
-    double worst = 0;    // latest beginning of a step [s]
-    long given_up = 0;   // times that lost time was
-    double lost = 0;     // that was given up [s]
+    double period = 0;        // real time between steps, mean over the last full second (at first: so far) [s]
+    double compute = 0;       // from begin to end of a step, likewise [s]
+    long overruns = 0;        // steps that began more than one period late
+    double worst_delay = 0;   // of the beginning of a step, maximum [s]
+    long skips = 0;           // times that lost time was skipped
+    double skipped_time = 0;  // total [s]
 };
 
 class Pacer {
 public:
-    static constexpr Nanoseconds patience = 250'000'000;
+    static constexpr Nanoseconds skip_threshold = 250'000'000;
 
     // Simulated time of a step [s]; the pace is simulated over real time.
     explicit Pacer(double step, double pace = 1);
 
-    // The next step is due now; what came before, a pause say, is nobody's delay.
+    // The next step is due now; a preceding pause does not count as a delay.
     void restart(Nanoseconds now);
     void set_pace(double pace, Nanoseconds now);
     double pace() const { return pace_; }
@@ -43,13 +43,13 @@ private:
         Nanoseconds start = 0, periods = 0, computing = 0;  // sums of the latter two
         long begun = 0, ended = 0;
     };
-    void look_back();
+    void update_means();
 
     double step_, pace_, period_;  // [s], [1], [ns]
     Nanoseconds origin_ = 0, began_ = 0;
-    long since_origin_ = 0;  // steps
-    bool first_ = true;      // after a restart: nothing to measure a period from
-    bool whole_ = false;     // a second has been looked back on
+    long since_origin_ = 0;     // steps
+    bool first_ = true;         // after a restart: nothing to measure a period from
+    bool full_window_ = false;  // a full second has been evaluated
     Window window_;
     PaceReport report_;
 };

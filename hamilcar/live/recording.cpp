@@ -19,9 +19,9 @@ namespace hamilcar::live {
 namespace {
 
 constexpr std::size_t rows_in_ring = 2048;  // twenty seconds
-constexpr auto nap = std::chrono::milliseconds(50);
+constexpr auto poll_interval = std::chrono::milliseconds(50);
 constexpr std::size_t position_columns = 3;  // of a row in the ring: time, x, y
-constexpr int naps_per_flush = 20;           // what a crash may cost: a second
+constexpr int polls_per_flush = 20;          // a crash loses at most a second
 
 std::vector<std::size_t> chosen_channels(const std::vector<Channel>& channels) {
     std::vector<std::size_t> chosen;
@@ -31,29 +31,29 @@ std::vector<std::size_t> chosen_channels(const std::vector<Channel>& channels) {
     return chosen;
 }
 
-std::unique_ptr<io::ResultWriter> open(const std::string& path, const Ride& ride,
+std::unique_ptr<io::ResultWriter> open(const std::string& path, const LiveSimulation& simulation,
                                        const std::vector<std::size_t>& chosen) {
     std::vector<io::Column> columns;
-    for (const std::size_t i : chosen) columns.push_back(ride.channels()[i].column);
-    return io::open_netcdf(path, columns, ride.vehicle().name, {{io::scene_attribute, ride.scene()}});
+    for (const std::size_t i : chosen) columns.push_back(simulation.channels()[i].column);
+    return io::open_netcdf(path, columns, simulation.vehicle().name, {{io::scene_attribute, simulation.scene()}});
 }
 
-// As part of a file's name: letters, digits, '-' and '_'.
-std::string plain(std::string name) {
-    const auto is_plain = [](char c) {
+// For use in a file name: letters, digits, '-' and '_'; other characters become '_'.
+std::string sanitized(std::string name) {
+    const auto is_allowed = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
     };
-    for (char& c : name) c = is_plain(c) ? c : '_';
+    for (char& c : name) c = is_allowed(c) ? c : '_';
     return name;
 }
 
 }  // namespace
 
-Recording::Recording(std::string path, std::shared_ptr<const Ride> ride)
+Recording::Recording(std::string path, std::shared_ptr<const LiveSimulation> simulation)
     : path_(std::move(path)),
-      ride_(std::move(ride)),
-      chosen_(chosen_channels(ride_->channels())),
-      writer_(open(path_, *ride_, chosen_)),
+      simulation_(std::move(simulation)),
+      chosen_(chosen_channels(simulation_->channels())),
+      writer_(open(path_, *simulation_, chosen_)),
       ring_(rows_in_ring, position_columns + chosen_.size()),
       thread_([this](const std::stop_token& stop) { write_rows(stop); }) {}
 
@@ -67,8 +67,8 @@ std::string Recording::finish() {
     return failure_;
 }
 
-void Recording::put(double time, double x, double y, std::span<const double> values) {
-    const std::span<double> row = ring_.room();
+void Recording::add_row(double time, double x, double y, std::span<const double> values) {
+    const std::span<double> row = ring_.free_row();
     if (row.empty()) {
         lost_.fetch_add(1, std::memory_order_relaxed);
         return;
@@ -80,12 +80,12 @@ void Recording::put(double time, double x, double y, std::span<const double> val
 
 void Recording::write_rows(const std::stop_token& stop) {
     try {
-        for (int naps = 1; !stop.stop_requested(); ++naps) {
-            std::this_thread::sleep_for(nap);
-            write_what_is_there();
-            if (naps % naps_per_flush == 0) writer_->flush();
+        for (int polls = 1; !stop.stop_requested(); ++polls) {
+            std::this_thread::sleep_for(poll_interval);
+            write_pending();
+            if (polls % polls_per_flush == 0) writer_->flush();
         }
-        write_what_is_there();
+        write_pending();
         writer_->close();
         write_road();
     } catch (const std::exception& error) {  // a full disk: the file keeps what was flushed, further rows are lost
@@ -94,19 +94,19 @@ void Recording::write_rows(const std::stop_token& stop) {
     }
 }
 
-void Recording::write_what_is_there() {
+void Recording::write_pending() {
     for (auto row = ring_.oldest(); !row.empty(); row = ring_.oldest()) {
-        if (x_.empty()) first_ = row[0];
+        if (x_.empty()) first_time_ = row[0];
         x_.push_back(row[1]), y_.push_back(row[2]);
         writer_->write(row[0], row.subspan(position_columns));
-        seconds_.store(row[0] - first_, std::memory_order_relaxed);
+        seconds_.store(row[0] - first_time_, std::memory_order_relaxed);
         ring_.pop();
     }
 }
 
 void Recording::write_road() const {
-    if (!ride_->uneven()) return;
-    const auto tiles = tiles_along(ride_->road(), ride_->surface(), x_, y_);
+    if (!simulation_->uneven()) return;
+    const auto tiles = tiles_along(simulation_->road(), simulation_->surface(), x_, y_);
     if (!tiles.empty()) io::write_tiles(io::tiles_beside(path_), tiles);
 }
 
@@ -116,7 +116,7 @@ std::string new_recording_file(const std::string& folder, const std::string& nam
     const std::time_t now = std::time(nullptr);
     std::tm local{};
     localtime_r(&now, &local);
-    const std::string stem = fmt::format("{}/{}-{:%Y%m%d-%H%M%S}", folder, plain(name), local);
+    const std::string stem = fmt::format("{}/{}-{:%Y%m%d-%H%M%S}", folder, sanitized(name), local);
     for (int copy = 1;; ++copy) {
         const std::string path = copy == 1 ? stem + ".nc" : fmt::format("{}-{}.nc", stem, copy);
         const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

@@ -1,4 +1,4 @@
-// Rows of numbers from one thread to one other, in order, up to a bound; a full ring refuses, and nobody waits.
+// A bounded queue of rows from one thread to one other. A full ring refuses rows; neither side blocks.
 #pragma once
 
 #include <algorithm>
@@ -13,15 +13,15 @@ class RowRing {
 public:
     RowRing(std::size_t rows, std::size_t columns) : rows_(rows), columns_(columns), cells_(rows * columns) {}
 
-    // The writer's: where the next row goes, empty while the ring is full; then `push` it.
-    std::span<double> room() {
+    // For the writer: space for the next row, empty while the ring is full; then `push` it.
+    std::span<double> free_row() {
         const std::size_t end = end_.load(std::memory_order_relaxed);
         if (end - begin_.load(std::memory_order_acquire) == rows_) return {};
         return row(end);
     }
     void push() { end_.fetch_add(1, std::memory_order_release); }
 
-    // The reader's: the oldest row, empty if there is none; then `pop` it.
+    // For the reader: the oldest row, empty if there is none; then `pop` it.
     std::span<const double> oldest() {
         const std::size_t begin = begin_.load(std::memory_order_relaxed);
         if (begin == end_.load(std::memory_order_acquire)) return {};
@@ -34,7 +34,7 @@ private:
 
     std::size_t rows_, columns_;
     std::vector<double> cells_;
-    std::atomic<std::size_t> begin_{0}, end_{0};  // rows ever popped and pushed
+    std::atomic<std::size_t> begin_{0}, end_{0};  // total rows popped and pushed
 };
 
 }  // namespace hamilcar::live

@@ -1,4 +1,4 @@
-#define BOOST_ASIO_DISABLE_THREADS  // one thread does all: no locks, and no fences, which ThreadSanitizer does not know
+#define BOOST_ASIO_DISABLE_THREADS  // single-threaded: no locks, and no fences, which ThreadSanitizer does not support
 
 #include "hamilcar/live/server.hpp"
 
@@ -11,7 +11,7 @@
 #include <chrono>
 
 #include "hamilcar/io/error.hpp"
-#include "hamilcar/live/server_door.hpp"
+#include "hamilcar/live/http_connection.hpp"
 
 namespace hamilcar::live {
 
@@ -20,13 +20,14 @@ using asio::ip::tcp;
 
 namespace {
 
-constexpr int most_connections = 32;
-constexpr int send_buffer = 1 << 17;  // small, so that frames get old here, where a newer one takes their place [byte]
+constexpr int max_connections = 32;
+constexpr int send_buffer =
+    1 << 17;  // small, so that frames wait in SocketPage, where a newer one replaces them [byte]
 constexpr auto tick_interval = std::chrono::milliseconds(50);
 constexpr int ticks_per_status = 4, ticks_per_line = 1200;
-constexpr auto leave_taking = std::chrono::seconds(1);
+constexpr auto shutdown_timeout = std::chrono::seconds(1);
 
-// What a child that is started, as a browser, does not inherit: one that outlives the server would keep its port.
+// A child process, such as the browser, must not inherit the socket: if it outlived the server it would keep the port open.
 void close_on_exec(int descriptor) {
     ::fcntl(descriptor, F_SETFD, FD_CLOEXEC);
 }
@@ -48,83 +49,83 @@ class Server::Parts {
 public:
     Parts(Session& session, ServerOptions options)
         : options_(std::move(options)),
-          lobby_(session),
+          connections_(session),
           acceptor_(listen(context_, options_.port)),
           access_(random_token(), acceptor_.local_endpoint().port()),
-          bell_(context_, ::fcntl(session.bell().descriptor(), F_DUPFD_CLOEXEC, 0)),
+          wake_up_(context_, ::fcntl(session.wake_up().descriptor(), F_DUPFD_CLOEXEC, 0)),
           tick_(context_) {}
 
     const Access& access() const { return access_; }
     std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
 
     void run(const std::function<bool()>& stop) {
-        wait_for_visitors();
-        wait_for_bell();
+        accept_next();
+        wait_for_wake_up();
         tick_.expires_after(tick_interval);
         tick(stop);
         context_.run();
         context_.restart();
-        context_.run_for(leave_taking);
-        if (options_.log) options_.log(lobby_.summary());
+        context_.run_for(shutdown_timeout);
+        if (options_.log) options_.log(connections_.summary());
     }
 
 private:
-    void wait_for_visitors() {
-        waiting_ = true;
+    void accept_next() {
+        accepting_ = true;
         acceptor_.async_accept([this](beast::error_code error, tcp::socket socket) {
-            waiting_ = false;
-            if (error) return;  // too many open files, say: the next tick tries again
-            if (house_.connections < most_connections) receive(std::move(socket));
-            wait_for_visitors();
+            accepting_ = false;
+            if (error) return;  // for example too many open files: the next tick tries again
+            if (state_.open_connections < max_connections) start_connection(std::move(socket));
+            accept_next();
         });
     }
 
-    void receive(tcp::socket socket) {
+    void start_connection(tcp::socket socket) {
         close_on_exec(socket.native_handle());
         beast::error_code ignored;
         socket.set_option(tcp::no_delay(true), ignored);
         socket.set_option(asio::socket_base::send_buffer_size(send_buffer), ignored);
-        std::make_shared<Visitor>(std::move(socket), house_, access_, options_.page)->welcome();
+        std::make_shared<HttpConnection>(std::move(socket), state_, access_, options_.page)->start();
     }
 
-    void wait_for_bell() {
-        bell_.async_wait(asio::posix::stream_descriptor::wait_read, [this](beast::error_code error) {
+    void wait_for_wake_up() {
+        wake_up_.async_wait(asio::posix::stream_descriptor::wait_read, [this](beast::error_code error) {
             if (error) return;
-            lobby_.attend();
-            wait_for_bell();
+            connections_.update();
+            wait_for_wake_up();
         });
     }
 
     void tick(const std::function<bool()>& stop) {
         tick_.async_wait([this, &stop](beast::error_code) {
-            if (stop()) return take_leave();
+            if (stop()) return shut_down();
             ++ticks_;
-            lobby_.hand_out_tiles();
-            if (ticks_ % ticks_per_status == 0) lobby_.tell_status();
-            if (ticks_ % ticks_per_line == 0 && options_.log) options_.log(lobby_.summary());
-            if (!waiting_) wait_for_visitors();
+            connections_.send_tiles();
+            if (ticks_ % ticks_per_status == 0) connections_.send_status();
+            if (ticks_ % ticks_per_line == 0 && options_.log) options_.log(connections_.summary());
+            if (!accepting_) accept_next();
             tick_.expires_after(tick_interval);
             tick(stop);
         });
     }
 
-    void take_leave() {
+    void shut_down() {
         beast::error_code ignored;
         acceptor_.close(ignored);
-        bell_.cancel(ignored);
-        for (SocketPage* page : house_.pages) page->take_leave();
+        wake_up_.cancel(ignored);
+        for (SocketPage* page : state_.pages) page->shut_down();
         context_.stop();
     }
 
     ServerOptions options_;
-    Lobby lobby_;
-    House house_{lobby_};
-    asio::io_context context_{1};  // before it goes, it lets go of all connections
+    Connections connections_;
+    ServerState state_{connections_};
+    asio::io_context context_{1};  // destroyed before `state_`, since it owns all connections
     tcp::acceptor acceptor_;
     Access access_;
-    asio::posix::stream_descriptor bell_;
+    asio::posix::stream_descriptor wake_up_;
     asio::steady_timer tick_;
-    bool waiting_ = false;
+    bool accepting_ = false;
     long ticks_ = 0;
 };
 

@@ -1,8 +1,8 @@
-// The door of a session for pages: HTTP for the page itself, a WebSocket for the live link, on this machine alone.
+// Serves a session to pages: HTTP for the page itself, a WebSocket for the live link, on the loopback interface only.
 //
-// One thread, the one that calls `run`, does all of the network. No page can hold it up: each has its own bounded queue, of
-// frames only the newest waits, and whoever reads too slowly loses frames and disturbs nobody. Boost.Beast, which is long to
-// compile, is included by server.cpp alone.
+// One thread, the one that calls `run`, does all networking. No page can block it: each has its own bounded queue, only the newest
+// frame is kept, and a page that reads too slowly loses frames without affecting the others. Boost.Beast, which takes long to
+// compile, is included by server.cpp only.
 #pragma once
 
 #include <cstdint>
@@ -16,21 +16,21 @@ namespace hamilcar::live {
 
 struct ServerOptions {
     std::string page;                             // HTML
-    std::uint16_t port = 0;                       // 0: any that is free
-    std::function<void(const std::string&)> log;  // hears a line every minute and at the end
+    std::uint16_t port = 0;                       // 0: any free port
+    std::function<void(const std::string&)> log;  // receives a line every minute and at the end
 };
 
 class Server {
 public:
-    // Listens; throws io::Error(input_output) where the port cannot be had.
+    // Listens; throws io::Error(input_output) if the port is not available.
     Server(Session& session, ServerOptions options);
     ~Server();
 
     std::uint16_t port() const;
     const std::string& token() const;
-    std::string url() const;  // that opens the page
+    std::string url() const;  // of the page, with the token
 
-    // Serves until `stop` says so, which is asked some twenty times a second; pages are told that the server goes away.
+    // Serves until `stop` returns true, which is checked about twenty times a second; then closes all connections.
     void run(const std::function<bool()>& stop);
 
 private:

@@ -17,7 +17,7 @@ static_assert(std::endian::native == std::endian::little, "frames and tiles are 
 
 constexpr std::uint32_t frame_kind = 1, tile_kind = 2;
 
-// Names come from people's files, which need not be UTF-8 throughout.
+// Names come from users' files, which are not necessarily valid UTF-8.
 std::string text_of(const json& message) {
     return message.dump(-1, ' ', false, json::error_handler_t::replace);
 }
@@ -31,29 +31,30 @@ json choices(const std::vector<Choice>& list) {
 const char* word(Pause pause) {
     switch (pause) {
         case Pause::driver: return "driver";
-        case Pause::nobody: return "nobody";
+        case Pause::no_driver: return "nobody";
         case Pause::ended: return "ended";
         default: return "";
     }
 }
 
-// Up to the highest speed at which an engine still pulls at full load.
-double most_speed(const PowerUnitDescription& unit) {
+// The highest speed at which the unit still has positive torque at full load.
+double max_full_load_speed(const PowerUnitDescription& unit) {
     if (const auto* motor = std::get_if<MotorDescription>(&unit.source)) return motor->max_speed;
     const TorqueCurve& full = std::get<EngineDescription>(unit.source).torque.back();
     const auto last = std::ranges::find_if(full.torque.rbegin(), full.torque.rend(), [](double t) { return t > 0; });
     return last == full.torque.rend() ? full.speed.back() : *(full.speed.rbegin() + (last - full.torque.rbegin()));
 }
 
-json driveline(const Ride& ride) {
-    const DrivenCar& car = ride.car();
+json driveline(const LiveSimulation& simulation) {
+    const DrivenCar& car = simulation.car();
     if (!car.powered) return nullptr;
     constexpr double rpm = 30 / std::numbers::pi;  // per rad/s
     json units = json::array();
-    for (const PowerUnitDescription& unit : ride.vehicle().power_units) {
+    for (const PowerUnitDescription& unit : simulation.vehicle().power_units) {
         const auto* engine = std::get_if<EngineDescription>(&unit.source);
-        units.push_back(
-            {{"name", unit.name}, {"idle", engine ? rpm * engine->idle_speed : 0.0}, {"most", rpm * most_speed(unit)}});
+        units.push_back({{"name", unit.name},
+                         {"idle", engine ? rpm * engine->idle_speed : 0.0},
+                         {"most", rpm * max_full_load_speed(unit)}});
     }
     return {{"units", std::move(units)},
             {"gears", car.gears},
@@ -62,8 +63,8 @@ json driveline(const Ride& ride) {
             {"automatic", car.gearbox.automatic}};
 }
 
-json course_of(const Ride& ride) {
-    const TestCourse* test = ride.course();
+json course_of(const LiveSimulation& simulation) {
+    const TestCourse* test = simulation.course();
     if (!test) return nullptr;
     json boundaries = json::array();
     for (const auto& [from, to] : test->course.boundaries) boundaries.push_back({from[0], from[1], to[0], to[1]});
@@ -92,35 +93,35 @@ private:
 
 }  // namespace
 
-std::string hello_message(std::uint32_t page, const Garage& garage) {
+std::string hello_message(std::uint32_t page, const Catalog& catalog) {
     return text_of({{"type", "hello"},
                     {"generator", "Hamilcar " HAMILCAR_VERSION},
                     {"page", page},
-                    {"vehicles", choices(garage.vehicles)},
-                    {"roads", choices(garage.roads)}});
+                    {"vehicles", choices(catalog.vehicles)},
+                    {"roads", choices(catalog.roads)}});
 }
 
-std::string car_message(const Ride& ride) {
+std::string car_message(const LiveSimulation& simulation) {
     json channels = json::array();
-    for (const Channel& channel : ride.channels()) {
+    for (const Channel& channel : simulation.channels()) {
         channels.push_back({{"name", channel.column.name},
                             {"unit", channel.column.unit},
                             {"description", channel.column.description}});
     }
     std::string text = text_of({{"type", "car"},
-                                {"car", ride.number()},
-                                {"vehicle", ride.wish().vehicle},
-                                {"road", ride.wish().road},
-                                {"friction", ride.wish().friction},
-                                {"steering_lock_deg", ride.car().lock * 180 / std::numbers::pi},
+                                {"car", simulation.number()},
+                                {"vehicle", simulation.request().vehicle},
+                                {"road", simulation.request().road},
+                                {"friction", simulation.request().friction},
+                                {"steering_lock_deg", simulation.car().lock * 180 / std::numbers::pi},
                                 {"channels", std::move(channels)},
-                                {"driveline", driveline(ride)},
-                                {"course", course_of(ride)}});
+                                {"driveline", driveline(simulation)},
+                                {"course", course_of(simulation)}});
     text.back() = ',';  // the scene is JSON already
-    return text + "\"scene\":" + ride.scene() + "}";
+    return text + "\"scene\":" + simulation.scene() + "}";
 }
 
-// What the run did not show is no number, which JSON knows as null.
+// Unknown values are NaN, which is written as null.
 std::string result_message(const TestCourse& course, const CourseRun& run) {
     const CourseResult result = course_result(course.course, run);
     json values = json::array(), verdicts = json::array();
@@ -142,12 +143,12 @@ std::string result_message(const TestCourse& course, const CourseRun& run) {
                     {"time", result.time}});
 }
 
-std::string status_message(const Attendance& attendance, const Progress& progress, const RecordingStatus& recording,
-                           long lost_frames) {
+std::string status_message(const ConnectionStatus& connections, const Progress& progress,
+                           const RecordingStatus& recording, long lost_frames) {
     const PaceReport& report = progress.report;
     return text_of({{"type", "status"},
-                    {"driver", attendance.driver},
-                    {"pages", attendance.pages},
+                    {"driver", connections.driver},
+                    {"pages", connections.pages},
                     {"paused", word(progress.paused)},
                     {"ended", progress.ended},
                     {"pace", progress.pace},
@@ -156,7 +157,7 @@ std::string status_message(const Attendance& attendance, const Progress& progres
                     {"step_ms", 1e3 * progress.step},
                     {"period_ms", 1e3 * report.period},
                     {"compute_us", 1e6 * report.compute},
-                    {"worst_overrun_ms", 1e3 * report.worst},
+                    {"worst_overrun_ms", 1e3 * report.worst_delay},
                     {"overruns", report.overruns},
                     {"recording", recording.file},
                     {"recorded_s", recording.seconds},

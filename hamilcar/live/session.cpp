@@ -5,128 +5,128 @@
 
 namespace hamilcar::live {
 
-Session::Session(Garage garage, const Wish& first, std::string recordings_folder)
-    : garage_(std::move(garage)),
+Session::Session(Catalog catalog, const LoadRequest& first, std::string recordings_folder)
+    : catalog_(std::move(catalog)),
       folder_(std::move(recordings_folder)),
-      ride_(build(first, cars_)),
-      stepper_(ride_, bell_) {}
+      simulation_(build(first, cars_)),
+      stepper_(simulation_, wake_up_) {}
 
 void Session::reset() {
-    stepper_.order([](Orders& orders) { orders.reset = true; });
+    stepper_.post([](Commands& commands) { commands.reset = true; });
 }
 
 void Session::pause(bool on) {
-    stepper_.order([on](Orders& orders) { orders.pause = on; });
+    stepper_.post([on](Commands& commands) { commands.pause = on; });
 }
 
 void Session::set_driven(bool on) {
-    stepper_.order([on](Orders& orders) { orders.driven = on; });
+    stepper_.post([on](Commands& commands) { commands.driven = on; });
 }
 
 void Session::set_pace(double pace) {
-    stepper_.order([pace](Orders& orders) { orders.pace = pace; });
+    stepper_.post([pace](Commands& commands) { commands.pace = pace; });
 }
 
-void Session::load(const Wish& wish, std::uint32_t page) {
-    next_ = {wish, page};
-    if (!making_) make_next();
+void Session::load(const LoadRequest& request, std::uint32_t page) {
+    next_ = {request, page};
+    if (!building_) build_next();
 }
 
 void Session::record(bool on, std::uint32_t page) {
     recording_wanted_ = on;
     recording_page_ = page;
-    settle_recording();
+    update_recording();
 }
 
 RecordingStatus Session::recording() const {
-    if (tape_ != Tape::running) return {};
+    if (recorder_ != RecorderState::running) return {};
     return {recording_->path(), recording_->seconds(), recording_->lost_rows()};
 }
 
-bool Session::attend() {
-    std::vector<std::function<void()>> answers;
+bool Session::update() {
+    std::vector<std::function<void()>> completions;
     {
-        const std::lock_guard lock(answers_mutex_);
-        answers.swap(answers_);
+        const std::lock_guard lock(completions_mutex_);
+        completions.swap(completions_);
     }
-    for (const auto& answer : answers) answer();
-    for (std::shared_ptr<void>& thing : stepper_.take_back()) put_away(std::move(thing));
-    if (tape_ == Tape::running && recording_->failed()) {
+    for (const auto& completion : completions) completion();
+    for (std::shared_ptr<void>& object : stepper_.take_released()) dispose_of(std::move(object));
+    if (recorder_ == RecorderState::running && recording_->failed()) {
         notices_.push_back({recording_page_, recording_->failure()});
         recording_wanted_ = false;
     }
-    settle_recording();
+    update_recording();
     return std::exchange(changed_, false);
 }
 
-void Session::send_for(std::function<std::function<void()>()> job) {
-    workshop_.post([this, job = std::move(job)] {
-        std::function<void()> answer = job();
+void Session::run_in_background(std::function<std::function<void()>()> job) {
+    worker_.post([this, job = std::move(job)] {
+        std::function<void()> completion = job();
         {
-            const std::lock_guard lock(answers_mutex_);
-            answers_.push_back(std::move(answer));
+            const std::lock_guard lock(completions_mutex_);
+            completions_.push_back(std::move(completion));
         }
-        bell_.ring();
+        wake_up_.signal();
     });
 }
 
-std::shared_ptr<Ride> Session::build(const Wish& wish, std::uint32_t number) const {
-    auto [vehicle, scenario] = garage_.open(wish);
+std::shared_ptr<LiveSimulation> Session::build(const LoadRequest& request, std::uint32_t number) const {
+    auto [vehicle, scenario] = catalog_.open(request);
     std::optional<TestCourse> course;
-    if (garage_.course) course = garage_.course(wish.road, vehicle);
-    return std::make_shared<Ride>(number, wish, vehicle, std::move(scenario), std::move(course));
+    if (catalog_.course) course = catalog_.course(request.road, vehicle);
+    return std::make_shared<LiveSimulation>(number, request, vehicle, std::move(scenario), std::move(course));
 }
 
-void Session::make_next() {
-    making_ = true;
-    const auto [wish, page] = *std::exchange(next_, std::nullopt);
-    send_for([this, wish = wish, page = page, number = ++cars_]() -> std::function<void()> {
-        std::shared_ptr<Ride> ride;
+void Session::build_next() {
+    building_ = true;
+    const auto [request, page] = *std::exchange(next_, std::nullopt);
+    run_in_background([this, request = request, page = page, number = ++cars_]() -> std::function<void()> {
+        std::shared_ptr<LiveSimulation> simulation;
         std::string problem;
         try {
-            ride = build(wish, number);
+            simulation = build(request, number);
         } catch (const std::exception& error) {
             problem = error.what();
         }
-        return [this, ride, page, problem] {
-            making_ = false;
-            if (!ride) notices_.push_back({page, problem});
-            if (ride && !next_) {
-                ride_ = ride;
+        return [this, simulation, page, problem] {
+            building_ = false;
+            if (!simulation) notices_.push_back({page, problem});
+            if (simulation && !next_) {
+                simulation_ = simulation;
                 changed_ = true;
-                stepper_.order([&](Orders& orders) { orders.ride = ride; });
+                stepper_.post([&](Commands& commands) { commands.simulation = simulation; });
             }
-            if (next_) make_next();
+            if (next_) build_next();
         };
     });
 }
 
-// One step toward what is wanted; the next one follows when this one is done.
-void Session::settle_recording() {
-    if (tape_ == Tape::none && recording_wanted_ && !making_) {  // of the car that is to come, if one is
-        tape_ = Tape::opening;
+// Starts the next transition toward the wanted state; it is called again when that is complete.
+void Session::update_recording() {
+    if (recorder_ == RecorderState::none && recording_wanted_ && !building_) {  // waits for a car that is being built
+        recorder_ = RecorderState::opening;
         open_recording();
-    } else if (tape_ == Tape::running && !recording_wanted_) {
-        tape_ = Tape::closing;
-        stepper_.order([](Orders& orders) { orders.stop_recording = true; });
+    } else if (recorder_ == RecorderState::running && !recording_wanted_) {
+        recorder_ = RecorderState::closing;
+        stepper_.post([](Commands& commands) { commands.stop_recording = true; });
     }
 }
 
 void Session::open_recording() {
-    send_for([this, ride = ride_]() -> std::function<void()> {
+    run_in_background([this, simulation = simulation_]() -> std::function<void()> {
         std::shared_ptr<Recording> recording;
         std::string problem;
         try {
-            const std::string vehicle = std::filesystem::path(ride->wish().vehicle).stem().string();
-            recording = std::make_shared<Recording>(new_recording_file(folder_, vehicle), ride);
+            const std::string vehicle = std::filesystem::path(simulation->request().vehicle).stem().string();
+            recording = std::make_shared<Recording>(new_recording_file(folder_, vehicle), simulation);
         } catch (const std::exception& error) {
             problem = error.what();
         }
         return [this, recording, problem] {
-            tape_ = recording ? Tape::running : Tape::none;
+            recorder_ = recording ? RecorderState::running : RecorderState::none;
             recording_ = recording;
             if (recording) {
-                stepper_.order([&](Orders& orders) { orders.recording = recording; });
+                stepper_.post([&](Commands& commands) { commands.recording = recording; });
             } else {
                 recording_wanted_ = false;
                 notices_.push_back({recording_page_, problem});
@@ -135,20 +135,20 @@ void Session::open_recording() {
     });
 }
 
-// Cars are taken apart and files are closed in the workshop. A recording that comes back unasked has lost its car.
-void Session::put_away(std::shared_ptr<void> thing) {
-    const bool is_recording = thing == recording_;
+// Destroys cars and closes files in the background. A recording that is released without request has lost its car.
+void Session::dispose_of(std::shared_ptr<void> object) {
+    const bool is_recording = object == recording_;
     if (is_recording) {
-        if (tape_ == Tape::running) recording_wanted_ = false;
-        tape_ = Tape::closing;
+        if (recorder_ == RecorderState::running) recording_wanted_ = false;
+        recorder_ = RecorderState::closing;
         recording_.reset();
     }
-    send_for([this, is_recording, thing = std::move(thing)]() mutable -> std::function<void()> {
+    run_in_background([this, is_recording, object = std::move(object)]() mutable -> std::function<void()> {
         std::string problem;
-        if (is_recording) problem = std::static_pointer_cast<Recording>(thing)->finish();
-        thing.reset();
+        if (is_recording) problem = std::static_pointer_cast<Recording>(object)->finish();
+        object.reset();
         return [this, is_recording, problem] {
-            if (is_recording) tape_ = Tape::none;
+            if (is_recording) recorder_ = RecorderState::none;
             if (!problem.empty()) notices_.push_back({recording_page_, problem});
         };
     });

@@ -1,7 +1,7 @@
-// A drive as the network side sees it: one car on one road that a thread steps, and whatever takes time done elsewhere.
+// A live session as the network side sees it: one car on one road, stepped by its own thread; slow jobs run in the background.
 //
-// All of it is for one thread, which is never kept waiting. A new car is read and put on its road in the workshop while
-// the old one goes on; if that fails the old one stays, and a notice says why.
+// All methods are for one thread and never block it. A new car is read and initialized in the background while the old one keeps
+// running; if that fails the old one stays, and a notice gives the reason.
 #pragma once
 
 #include <cstdint>
@@ -13,26 +13,26 @@
 #include <utility>
 #include <vector>
 
+#include "hamilcar/live/background_worker.hpp"
 #include "hamilcar/live/stepper.hpp"
-#include "hamilcar/live/workshop.hpp"
 
 namespace hamilcar::live {
 
 struct Choice {
-    std::string id;    // what a wish names
-    std::string name;  // for people
+    std::string id;    // named in a LoadRequest
+    std::string name;  // shown to the user
 };
 
-// What can be driven, and where. `open` reads the files of a wish, of which it need not look at the friction; `course`, which
-// may be left out, tells what that vehicle is to drive through on a road, where there is something. Both are called on any
-// thread, by one at a time, and throw io::Error.
-struct Garage {
+// The available vehicles and roads. `open` reads the files of a request and may ignore its friction; `course`, which is optional,
+// returns the course of a road for that vehicle, if there is one. Both may be called on any thread, though never concurrently, and
+// throw io::Error.
+struct Catalog {
     std::vector<Choice> vehicles, roads;
-    std::function<std::pair<VehicleDescription, ScenarioDescription>(const Wish&)> open;
+    std::function<std::pair<VehicleDescription, ScenarioDescription>(const LoadRequest&)> open;
     std::function<std::optional<TestCourse>(const std::string& road, const VehicleDescription&)> course = {};
 };
 
-// Why a page's wish was not granted.
+// Why a page's request failed.
 struct Notice {
     std::uint32_t page;
     std::string message;
@@ -46,56 +46,57 @@ struct RecordingStatus {
 
 class Session {
 public:
-    // Reads the first car and puts it on its road; throws io::Error. Recordings go to a folder that is created for the first.
-    Session(Garage garage, const Wish& first, std::string recordings_folder);
+    // Reads and initializes the first car; throws io::Error. The recordings folder is created with the first recording.
+    Session(Catalog catalog, const LoadRequest& first, std::string recordings_folder);
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
-    void hold(const Held& held) { stepper_.hold(held); }
+    void set_controls(const ReceivedControls& received) { stepper_.set_controls(received); }
     void reset();
     void pause(bool on);
-    void set_driven(bool on);  // whether anybody is at the wheel: nobody at first
+    void set_driven(bool on);  // whether a page has control; initially none
     void set_pace(double pace);
-    // Both are granted later, or not, with a notice to the page. While a car is being made the last wish stands.
-    void load(const Wish& wish, std::uint32_t page);
+    // Both are completed later; if one fails, the page gets a notice. While a car is being built, the last load request wins.
+    void load(const LoadRequest& request, std::uint32_t page);
     void record(bool on, std::uint32_t page);
 
-    const Garage& garage() const { return garage_; }
-    Ride& ride() { return *ride_; }  // only what is for any thread, and frames
+    const Catalog& catalog() const { return catalog_; }
+    LiveSimulation& simulation() { return *simulation_; }  // only its constants and frames
     const Progress& progress() { return stepper_.progress(); }
     RecordingStatus recording() const;
-    // When the bell rings, silence it and call this: true if another car is on the road.
-    bool attend();
+    // To be called when the wake-up event is signaled, after clearing it. True if the car was replaced.
+    bool update();
     std::vector<Notice> take_notices() { return std::exchange(notices_, {}); }
-    const Bell& bell() const { return bell_; }
+    const WakeUp& wake_up() const { return wake_up_; }
 
 private:
-    // Does `job` in the workshop; what it returns is called by `attend`.
-    void send_for(std::function<std::function<void()>()> job);
-    std::shared_ptr<Ride> build(const Wish& wish, std::uint32_t number) const;
-    void make_next();
-    void settle_recording();
+    // Runs `job` on the background thread; the function that it returns is called by `update`.
+    void run_in_background(std::function<std::function<void()>()> job);
+    std::shared_ptr<LiveSimulation> build(const LoadRequest& request, std::uint32_t number) const;
+    void build_next();
+    void update_recording();
     void open_recording();
-    void put_away(std::shared_ptr<void> thing);
+    void dispose_of(std::shared_ptr<void> object);
 
-    enum class Tape { none, opening, running, closing };
+    enum class RecorderState { none, opening, running, closing };
 
-    Garage garage_;
+    Catalog catalog_;
     std::string folder_;
-    Bell bell_;
-    std::uint32_t cars_ = 1;  // ever asked for; the last one's number
-    std::shared_ptr<Ride> ride_;
-    std::optional<std::pair<Wish, std::uint32_t>> next_;  // to be made after the one at hand, and for which page
-    bool making_ = false, changed_ = false;
+    WakeUp wake_up_;
+    std::uint32_t cars_ = 1;  // requested so far; number of the last one
+    std::shared_ptr<LiveSimulation> simulation_;
+    std::optional<std::pair<LoadRequest, std::uint32_t>>
+        next_;  // to be built after the current one, and for which page
+    bool building_ = false, changed_ = false;
     std::shared_ptr<Recording> recording_;
-    Tape tape_ = Tape::none;
+    RecorderState recorder_ = RecorderState::none;
     bool recording_wanted_ = false;
-    std::uint32_t recording_page_ = 0;  // that asked for it
+    std::uint32_t recording_page_ = 0;  // that requested it
     std::vector<Notice> notices_;
-    std::mutex answers_mutex_;
-    std::vector<std::function<void()>> answers_;
+    std::mutex completions_mutex_;
+    std::vector<std::function<void()>> completions_;
     Stepper stepper_;
-    Workshop workshop_;
+    BackgroundWorker worker_;
 };
 
 }  // namespace hamilcar::live

@@ -1,9 +1,9 @@
 // The thread that steps the car in real time and does nothing else.
 //
-// It sleeps until a step is due, asks what the person holds, steps, and now and then shows a frame. It never waits for
-// another thread: controls, frames and progress pass through `Newest`, rows through a ring, and orders lie in a box that it
-// opens before a step if nobody else has it open. What it no longer needs it puts back there, since taking a car apart or
-// closing a file takes time too.
+// It sleeps until a step is due, fetches the controls, steps, and publishes a frame from time to time. It never waits for
+// another thread: controls, frames and progress pass through `TripleBuffer`, recorded rows through a ring, and commands are
+// guarded by a mutex that it only tries to lock before a step. Objects that it no longer needs are returned to the other
+// thread, since destroying a car or closing a file takes time.
 #pragma once
 
 #include <memory>
@@ -14,78 +14,78 @@
 #include <thread>
 #include <vector>
 
-#include "hamilcar/live/bell.hpp"
+#include "hamilcar/live/live_simulation.hpp"
 #include "hamilcar/live/pacer.hpp"
 #include "hamilcar/live/recording.hpp"
-#include "hamilcar/live/ride.hpp"
+#include "hamilcar/live/wake_up.hpp"
 
 namespace hamilcar::live {
 
 // Why the car does not move, by precedence.
-enum class Pause { none, driver, nobody, ended };
+enum class Pause { none, driver, no_driver, ended };
 
-// Wishes to the thread; of two of the same kind the later one holds.
-struct Orders {
-    std::shared_ptr<Ride> ride;  // in place of the present one
-    bool reset = false;          // to the start; ends a recording, which is of one run
-    std::optional<bool> pause;   // the driver's
-    std::optional<bool> driven;  // somebody is at the wheel
+// Commands to the thread; of two of the same kind the later one wins.
+struct Commands {
+    std::shared_ptr<LiveSimulation> simulation;  // replaces the current one
+    bool reset = false;                          // to the start; ends the recording, which covers one run
+    std::optional<bool> pause;                   // the driver's
+    std::optional<bool> driven;                  // a page has control
     std::optional<double> pace;
-    std::shared_ptr<Recording> recording;  // put back if it is of another car than the one that is driven
+    std::shared_ptr<Recording> recording;  // released if it belongs to another car
     bool stop_recording = false;
 };
 
 struct Progress {
     std::uint32_t car = 0;
-    Pause paused = Pause::nobody;
-    std::string ended;  // why
+    Pause paused = Pause::no_driver;
+    std::string ended;  // reason, or ""
     double pace = 1;
     double time = 0;    // simulated [s]
     double step = 0;    // [s]
-    PaceReport report;  // since the car was put on the road
+    PaceReport report;  // since the car was loaded
 };
 
 class Stepper {
 public:
-    // Rings when there is a frame, progress or something put back; starts without anybody at the wheel.
-    Stepper(std::shared_ptr<Ride> ride, const Bell& bell);
+    // Signals `wake_up` on a new frame, progress or released object; starts paused, without a driver.
+    Stepper(std::shared_ptr<LiveSimulation> simulation, const WakeUp& wake_up);
 
     // For one other thread.
-    void hold(const Held& held);
+    void set_controls(const ReceivedControls& received);
     template <class F>
-    void order(F&& change) {
-        const std::lock_guard lock(box_);
-        change(orders_);
-        ordered_ = true;
+    void post(F&& change) {
+        const std::lock_guard lock(mutex_);
+        change(commands_);
+        has_commands_ = true;
     }
-    std::vector<std::shared_ptr<void>> take_back();  // what the thread has done with
+    std::vector<std::shared_ptr<void>> take_released();  // objects that the thread no longer needs
     const Progress& progress();
 
 private:
     void run(const std::stop_token& stop);
-    void heed_orders();
-    void put_on_road(std::shared_ptr<Ride> ride);
-    void start_anew();
-    void put_back(std::shared_ptr<void> thing);
+    void apply_commands();
+    void replace_simulation(std::shared_ptr<LiveSimulation> simulation);
+    void restart();
+    void release(std::shared_ptr<void> object);
     void step();
-    void rest();
+    void wait_idle();
     void report();
     Pause paused() const;
 
-    const Bell& bell_;
-    Newest<Held> held_;
-    Newest<Progress> progress_;
-    std::mutex box_;
-    Orders orders_;
-    bool ordered_ = false;
-    std::vector<std::shared_ptr<void>> put_back_;
+    const WakeUp& wake_up_;
+    TripleBuffer<ReceivedControls> received_;
+    TripleBuffer<Progress> progress_;
+    std::mutex mutex_;
+    Commands commands_;
+    bool has_commands_ = false;
+    std::vector<std::shared_ptr<void>> released_;
 
-    std::shared_ptr<Ride> ride_;
+    std::shared_ptr<LiveSimulation> simulation_;
     std::shared_ptr<Recording> recording_;
     Pacer pacer_;
-    bool driver_pauses_ = false, driven_ = false;
+    bool paused_by_driver_ = false, driven_ = false;
     std::optional<End> end_;
-    bool resting_ = true;
+    bool idle_ = true;
     Nanoseconds next_report_ = 0;
     std::jthread thread_;
 };

@@ -1,4 +1,4 @@
-// Patches of an uneven road on their way to pages: which are near the car, and each computed only once for all.
+// Tiles of an uneven road for the pages: which ones are near the car, and a cache that computes each only once for all pages.
 #pragma once
 
 #include <map>
@@ -7,28 +7,28 @@
 #include <utility>
 #include <vector>
 
-#include "hamilcar/live/ride.hpp"
+#include "hamilcar/live/live_simulation.hpp"
 
 namespace hamilcar::live {
 
 using Message = std::shared_ptr<const std::string>;  // text or bytes, the same for many pages
-using TilePlace = std::pair<int, int>;               // ix, iy
+using TileIndex = std::pair<int, int>;               // ix, iy
 
-// Tiles that are not farther than `reach` from a point, the nearest first.
-std::vector<TilePlace> tiles_near(double x, double y, double reach);
+// Tiles within `radius` of a point, the nearest first.
+std::vector<TileIndex> tiles_near(double x, double y, double radius);
 
-// From a point to the nearest of a tile [m].
-double tile_distance(double x, double y, TilePlace place);
+// From a point to the nearest point of a tile [m].
+double tile_distance(double x, double y, TileIndex index);
 
 class Tiles {
 public:
-    // One that was made before, or null.
-    Message find(TilePlace place) const;
-    Message make(const Ride& ride, TilePlace place);
+    // A cached tile, or null.
+    Message find(TileIndex index) const;
+    Message make(const LiveSimulation& simulation, TileIndex index);
     void clear() { made_.clear(); }
 
 private:
-    std::map<TilePlace, Message> made_;
+    std::map<TileIndex, Message> made_;
 };
 
 }  // namespace hamilcar::live

@@ -37,7 +37,7 @@ struct SeenWheel {
         for (const TireForces<double>& tire : tires.subspan(1)) sum += tire.tire.Fz;
         return sum;
     }
-    Vec3<double> outer_contact(const UnitPlace<double>& place) const {
+    Vec3<double> outer_contact(const UnitPose<double>& place) const {
         return place.position + place.R * (is_right ? tires.back() : tires.front()).frame.point;
     }
 };
@@ -60,9 +60,11 @@ std::vector<SeenWheel> seen_wheels(const Sample& s) {
 // Of the motor vehicle alone, with its suspensions as they stand, in chassis axes [m].
 Vec3<double> motor_vehicle_center(const Sample& s) {
     const Vehicle<double>& vehicle = s.model.vehicle;
-    Vec3<double> moment = vehicle.chassis_inertia.moment;
+    Vec3<double> moment = vehicle.chassis_inertia.first_moment;
     double mass = vehicle.chassis_inertia.mass;
-    const auto add = [&](const SpatialInertia<double>& inertia) { moment += inertia.moment, mass += inertia.mass; };
+    const auto add = [&](const SpatialInertia<double>& inertia) {
+        moment += inertia.first_moment, mass += inertia.mass;
+    };
     for (std::size_t i = 0; i < vehicle.suspensions.size(); ++i) {
         if (vehicle.suspensions[i].unit != 0) continue;
         const auto& inertia = s.velocity.suspensions[i].inertia;
@@ -95,20 +97,20 @@ public:
 
 private:
     void add_motion(const Sample& s) {
-        const Senses senses = sense(s.model, s.state, s.input);
+        const Observation observation = hamilcar::observe(s.model, s.state, s.input);
         const Mat3<double>& R = s.velocity.R_GC;
         history_.time.push_back(s.time);
-        history_.x.push_back(senses.x), history_.y.push_back(senses.y);
-        const double before = history_.yaw.empty() ? senses.yaw : history_.yaw.back();
-        history_.yaw.push_back(senses.yaw +
-                               2 * std::numbers::pi * std::round((before - senses.yaw) / (2 * std::numbers::pi)));
-        history_.speed.push_back(senses.speed);
-        history_.lateral_velocity.push_back(senses.lateral_velocity);
-        history_.yaw_rate.push_back(senses.yaw_rate);
-        history_.roll.push_back(senses.roll);
+        history_.x.push_back(observation.x), history_.y.push_back(observation.y);
+        const double before = history_.yaw.empty() ? observation.yaw : history_.yaw.back();
+        history_.yaw.push_back(observation.yaw +
+                               2 * std::numbers::pi * std::round((before - observation.yaw) / (2 * std::numbers::pi)));
+        history_.speed.push_back(observation.speed);
+        history_.lateral_velocity.push_back(observation.lateral_velocity);
+        history_.yaw_rate.push_back(observation.yaw_rate);
+        history_.roll.push_back(observation.roll);
         history_.pitch.push_back(-std::asin(std::clamp(R(2, 0), -1.0, 1.0)));
         const Vec3<double> a = acceleration_of(s);
-        const double c = std::cos(senses.yaw), d = std::sin(senses.yaw);
+        const double c = std::cos(observation.yaw), d = std::sin(observation.yaw);
         history_.longitudinal_acceleration.push_back(c * a[0] + d * a[1]);
         history_.lateral_acceleration.push_back(c * a[1] - d * a[0]);
     }

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-// A function in several versions, of which the loader takes the best; instruments cannot look into that.
+// Compiles a function in several versions, of which the loader picks the best; sanitizers do not support this.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(HAMILCAR_SANITIZED)
 #define HAMILCAR_FOR_EVERY_SET [[gnu::target_clones("avx512f", "avx2", "default")]]
 #else
@@ -15,7 +15,7 @@ namespace hamilcar {
 
 namespace {
 
-// The number of terms known while compiling, so that they stay in registers.
+// With the number of terms known at compile time, they stay in registers.
 template <int count, class T>
 [[gnu::always_inline]] inline void add_terms(const T* from, const T* const* rate, const T* weight, T* to, int size) {
     const T* terms[count];
@@ -52,7 +52,7 @@ template <class T>
     for (int i = 0; i < size; ++i) to[i] += w * x[i];
 }
 
-// The exponent of what is not finite is all ones.
+// The exponent of infinities and NaN is all ones.
 template <class Bits, class T>
 [[gnu::always_inline]] inline bool none_is_infinite(const T* numbers, int size) {
     constexpr Bits exponent = std::bit_cast<Bits>(std::numeric_limits<T>::infinity());

@@ -1,11 +1,11 @@
-// Loops over arrays of numbers, as integrators and batches need them: however many the machine takes at once, the bits are the same.
+// Loops over arrays for integrators and batches, with the same bits for any vector width.
 #pragma once
 
 #include "hamilcar/scalar/scalar.hpp"
 
 namespace hamilcar {
 
-// to = from + sum_j weight[j] rate[j], of `size` numbers; the sum first, in the order of j. `to` may be `from`.
+// to = from + sum_j weight[j] rate[j], for `size` numbers; the sum is formed first, in the order of j. `to` may be `from`.
 template <class T>
 void add_weighted(const T* from, const T* const* rate, const T* weight, int count, T* to, int size) {
     for (int i = 0; i < size; ++i) {
@@ -21,7 +21,7 @@ void add_scaled(const T& weight, const T* x, T* to, int size) {
     for (int i = 0; i < size; ++i) to[i] += weight * x[i];
 }
 
-// Compiled for every instruction set of the processor at hand, where the compiler can.
+// Compiled for several instruction sets, where the compiler supports it.
 void add_weighted(const double* from, const double* const* rate, const double* weight, int count, double* to, int size);
 void add_weighted(const float* from, const float* const* rate, const float* weight, int count, float* to, int size);
 void add_scaled(const double& weight, const double* x, double* to, int size);

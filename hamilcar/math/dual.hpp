@@ -1,4 +1,4 @@
-// Dual numbers as Eigen knows them.
+// Lets Eigen use dual numbers as scalars.
 #pragma once
 
 #include "hamilcar/math/eigen.hpp"

@@ -1,11 +1,11 @@
-// The one door to Eigen: fixed-size matrices without its own vectorizer, so that a plain number and one that
-// records do the same operations in the same order.
+// The only include of Eigen: fixed-size matrices without its vectorizer, so that plain and recording numbers perform the same
+// operations in the same order.
 #pragma once
 
 #ifndef EIGEN_DONT_VECTORIZE
 #define EIGEN_DONT_VECTORIZE
 #endif
-// Nor its alignment: no type's layout depends on what the compiler may use.
+// Without its alignment, so that no type's layout depends on compiler flags.
 #ifndef EIGEN_MAX_STATIC_ALIGN_BYTES
 #define EIGEN_MAX_STATIC_ALIGN_BYTES 0
 #endif
@@ -28,7 +28,7 @@ using Vec3 = Vector<T, 3>;
 template <class T>
 using Mat3 = Matrix<T, 3, 3>;
 
-// What Eigen wants to know of a number of ours that computes as an Element does.
+// Eigen's traits of a custom scalar that computes like an Element.
 template <class Number, class Element>
 struct NumberTraits : Eigen::NumTraits<Element> {
     using Real = Number;

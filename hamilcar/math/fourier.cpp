@@ -12,7 +12,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Written out: the operator of std::complex looks for infinities.
+// Written out, because the operator of std::complex checks for infinities.
 Complex product(const Complex& a, const Complex& b) {
     return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
@@ -21,7 +21,7 @@ Complex product(const Complex& a, const Complex& b) {
 
 void fourier_transform(std::vector<Complex>& values) {
     const std::size_t size = values.size();
-    if (!std::has_single_bit(size)) throw std::length_error("a Fourier transform takes a power of two of values");
+    if (!std::has_single_bit(size)) throw std::length_error("the size of a Fourier transform must be a power of two");
     for (std::size_t i = 1, mirrored = 0; i < size; ++i) {  // the index with its bits in reverse order
         std::size_t bit = size >> 1;
         for (; (mirrored & bit) != 0; bit >>= 1) mirrored ^= bit;

@@ -15,7 +15,7 @@ void fourier_transform(std::vector<std::complex<double>>& values);
 // sin^2(pi i / size): Hann's window, periodic.
 std::vector<double> hann_window(std::size_t size);
 
-// The transform of a segment, less its straight line of least squares, times a window of as many numbers.
+// The transform of a segment, minus its least-squares line, times a window of the same size.
 std::vector<std::complex<double>> transformed(std::span<const double> segment, const std::vector<double>& window);
 
 }  // namespace hamilcar

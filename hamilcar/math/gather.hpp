@@ -1,5 +1,5 @@
-// Parameters from number to number: several things of one kind side by side, and one thing for another number. Every
-// struct of parameters lists its members, and the lists of both structs are walked together.
+// Converts structs of parameters between scalars: several structs of one type into lanes, or one struct to another scalar. Every
+// struct of parameters lists its members, and the lists of both structs are traversed together.
 #pragma once
 
 #include <array>
@@ -109,8 +109,7 @@ void transcribe_alternative(std::variant<To...>& to, const From& from, Convert&&
 
 }  // namespace detail
 
-// Lane i of `to` becomes `from[i]`. What has no lanes (a count, a design coordinate) is the first one's, a count the
-// largest.
+// Lane i of `to` becomes `from[i]`. A member without lanes takes the first value, a count the largest.
 template <class Wide, class Narrow, std::size_t N>
 void gather(Wide& to, const std::array<const Narrow*, N>& from) {
     if constexpr (requires { Wide::members(); }) {
@@ -131,8 +130,9 @@ void gather(Wide& to, const std::array<const Narrow*, N>& from) {
     }
 }
 
-// The same struct for another number: `convert.number(double)` makes it, in the order of the lists, and `convert.whole(n)` is
-// told each count and choice between; what it returns is taken for a member that is a count. What is a double in both, a design coordinate, is converted too but stays as it is.
+// The same struct for another scalar: `convert.number(double)` converts each number, in the order of the lists, and
+// `convert.whole(n)` each count and variant index in between; its result is stored if the member is a count. A member that is a
+// double in both structs is passed to `convert` but copied unchanged.
 template <class To, class From, class Convert>
 void transcribe(To& to, const From& from, Convert&& convert) {
     if constexpr (requires { To::members(); }) {

@@ -1,5 +1,5 @@
-// Two suspensions of one shape side by side in one number: the left and the right wheel of an axle cost little more than
-// one, and each place computes what the suspension alone would, bit for bit.
+// Two suspensions of one type side by side in one number: the left and the right wheel of an axle cost little more than one, and
+// each lane computes what the suspension alone would, bit for bit.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace hamilcar {
 
-// The number that holds two: for one that records, since a program computes both at once; all others have none.
+// The number that holds two, which exists only for the recording number.
 template <class T>
 struct PairedNumber {
     using type = T;
@@ -23,7 +23,7 @@ using Paired = typename PairedNumber<T>::type;
 template <class T>
 inline constexpr bool has_pairs = !std::is_same_v<Paired<T>, T>;
 
-// The same in both places.
+// The same value in both lanes.
 template <class S, class T, int rows, int columns>
 Matrix<S, rows, columns> in_both(const Matrix<T, rows, columns>& same) {
     Matrix<S, rows, columns> out;
@@ -43,13 +43,13 @@ Matrix<S, rows, columns> side_by_side(const Matrix<T, rows, columns>& left, cons
     return out;
 }
 
-// One of the two, place by place.
+// Extracts one of the two lanes.
 template <class T, class S>
-void unpack(const S& from, int place, T& to) {
+void unpack(const S& from, int index, T& to) {
     if constexpr (requires { from.size(); }) {
-        for (int i = 0; i < static_cast<int>(from.size()); ++i) unpack(from.data()[i], place, to.data()[i]);
+        for (int i = 0; i < static_cast<int>(from.size()); ++i) unpack(from.data()[i], index, to.data()[i]);
     } else {
-        to = lane(from, place);
+        to = lane(from, index);
     }
 }
 

@@ -27,7 +27,7 @@ Mat3<T> bryant_rotation(const BryantAngles<T>& q) {
     return A;
 }
 
-// The angles of a rotation matrix, q2 within 90 degrees either way; for starts and channels, not for a step.
+// The angles of a rotation matrix, with q2 within +-90 degrees; for initial states and channels, not for a step.
 template <class T>
 Vec3<T> bryant_angles(const Mat3<T>& A) {
     return {std::atan2(-A(1, 2), A(2, 2)), std::asin(clamp(A(0, 2), T(-1), T(1))), std::atan2(-A(0, 1), A(0, 0))};
@@ -58,7 +58,7 @@ Mat3<T> axis_rotation(const Vec3<T>& axis, const T& angle) {
     return R;
 }
 
-// Orientation of a quaternion (w, x, y, z) of any length: orthonormal also between steps, when the length has drifted.
+// Rotation matrix of a quaternion (w, x, y, z) of any length: orthonormal even when the length has drifted between steps.
 template <class T>
 Mat3<T> quaternion_rotation(const Vector<T, 4>& q) {
     const T scale = T(2) / q.squaredNorm();

@@ -4,7 +4,7 @@ namespace hamilcar {
 
 namespace {
 
-// Fritsch and Butland's slopes: zero at local extremes, else the weighted harmonic mean of the neighboring secants.
+// Fritsch-Butland slopes: zero at local extrema, otherwise the weighted harmonic mean of the neighboring secants.
 std::vector<double> monotone_slopes(const std::vector<double>& t, const std::vector<double>& y) {
     const std::size_t n = t.size();
     std::vector<double> slope(n, 0.0);

@@ -1,4 +1,4 @@
-// A table over time as pieces of cubics, smooth enough for rates to be continuous.
+// A table over time as piecewise cubics, smooth enough for rates to be continuous.
 #pragma once
 
 #include <limits>
@@ -35,17 +35,17 @@ public:
     Signal() = default;
     // `scale` turns the table's unit into the input's.
     explicit Signal(const SignalDescription& description, double scale = 1);
-    // From now on y + rate t + acceleration t^2 / 2, t since `time` [s]; without allocation. `scale` is the time that the
-    // piece is written over [s].
+    // From `time` on: value + rate t + acceleration t^2 / 2, with t since `time` [s]. Without allocation; `scale` is the time
+    // scale of the polynomial [s].
     void follow(double time, const SignalValue<double>& now, double scale);
 
-    // A piece and how long it is in force.
+    // A piece and its interval of validity.
     struct Span {
         SignalPiece<double> piece;
         double begin, end;  // [s]
         double start() const { return piece.inverse_duration == 0 ? 0 : begin; }
     };
-    // For going back: what is followed, and doing so again. A signal that follows nobody has nothing to remember.
+    // For checkpoints: the piece set by follow(). A signal without one needs no memory.
     bool follows() const { return follows_; }
     const Span& followed() const { return spans_[0]; }
     void follow(const Span& span) {

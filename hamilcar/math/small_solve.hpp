@@ -32,11 +32,11 @@ Inverse<T, 3> inverse(const Matrix<T, 3, 3>& A) {
 
 namespace detail {
 
-// Gauss and Jordan on the leading n x n block of A, which becomes its inverse. Calls exchange(A, B, k) before the k-th pivot is taken
-// from the diagonal. Returns the determinant but for the sign of exchanges.
-template <class T, int most, class Exchange>
-T gauss_jordan(Matrix<T, most, most>& A, int n, Exchange&& exchange) {
-    Matrix<T, most, most> B;
+// Gauss-Jordan elimination on the leading n x n block of A, which becomes its inverse. Calls exchange(A, B, k) before the k-th
+// pivot is taken from the diagonal. Returns the determinant up to the sign of the row exchanges.
+template <class T, int max_size, class Exchange>
+T gauss_jordan(Matrix<T, max_size, max_size>& A, int n, Exchange&& exchange) {
+    Matrix<T, max_size, max_size> B;
     for (int i = 0; i < n; ++i) {
         for (int j = 0; j < n; ++j) B(i, j) = T(i == j ? 1 : 0);
     }
@@ -56,19 +56,18 @@ T gauss_jordan(Matrix<T, most, most>& A, int n, Exchange&& exchange) {
     return determinant;
 }
 
-// The largest entry of the column becomes the pivot: rows trade places by choices, pair by pair, so that every lane may have its
-// own order.
-template <class T, int most>
-T gauss_jordan_with_exchange(Matrix<T, most, most>& A, int n) {
+// Partial pivoting: rows are swapped pair by pair with select, so that every lane may have its own order.
+template <class T, int max_size>
+T gauss_jordan_with_exchange(Matrix<T, max_size, max_size>& A, int n) {
     T sign(1);
-    const T determinant = gauss_jordan<T, most>(A, n, [&](auto& upper_A, auto& upper_B, int k) {
+    const T determinant = gauss_jordan<T, max_size>(A, n, [&](auto& upper_A, auto& upper_B, int k) {
         for (int r = k + 1; r < n; ++r) {
-            const auto trade = abs(upper_A(r, k)) > abs(upper_A(k, k));
-            sign = select(trade, T(-sign), sign);
+            const auto swap_rows = abs(upper_A(r, k)) > abs(upper_A(k, k));
+            sign = select(swap_rows, T(-sign), sign);
             for (int j = 0; j < n; ++j) {
-                for (Matrix<T, most, most>* M : {&upper_A, &upper_B}) {
+                for (Matrix<T, max_size, max_size>* M : {&upper_A, &upper_B}) {
                     const T upper = (*M)(k, j), lower = (*M)(r, j);
-                    (*M)(k, j) = select(trade, lower, upper), (*M)(r, j) = select(trade, upper, lower);
+                    (*M)(k, j) = select(swap_rows, lower, upper), (*M)(r, j) = select(swap_rows, upper, lower);
                 }
             }
         }
@@ -78,54 +77,54 @@ T gauss_jordan_with_exchange(Matrix<T, most, most>& A, int n) {
 
 }  // namespace detail
 
-// Turns the leading n x n block of A into its inverse and returns its determinant. Rows and columns stand in an order whose
-// pivots serve nearly always; where one is less than a tenth of what is below it, rows are exchanged.
-template <class T, int most>
-T invert_in_place(Matrix<T, most, most>& A, int n) {
-    constexpr std::size_t size = static_cast<std::size_t>(most) * static_cast<std::size_t>(most) + 1;
-    const auto place = [](int row, int column) {
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(most) + static_cast<std::size_t>(column);
+// Replaces the leading n x n block of A by its inverse and returns its determinant. In the given order of rows and columns the
+// diagonal nearly always provides good pivots; where one is less than a tenth of the entries below it, rows are exchanged.
+template <class T, int max_size>
+T invert_in_place(Matrix<T, max_size, max_size>& A, int n) {
+    constexpr std::size_t size = static_cast<std::size_t>(max_size) * static_cast<std::size_t>(max_size) + 1;
+    const auto index = [](int row, int column) {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(max_size) + static_cast<std::size_t>(column);
     };
-    const auto packed = [&](const Matrix<T, most, most>& M, const T& determinant) {
+    const auto packed = [&](const Matrix<T, max_size, max_size>& M, const T& determinant) {
         std::array<T, size> out;
         out.fill(T(0));
         for (int i = 0; i < n; ++i) {
-            for (int j = 0; j < n; ++j) out[place(i, j)] = M(i, j);
+            for (int j = 0; j < n; ++j) out[index(i, j)] = M(i, j);
         }
         out.back() = determinant;
         return out;
     };
     auto weak = T(1) < T(0);
-    Matrix<T, most, most> ordered = A;
-    const T determinant = detail::gauss_jordan<T, most>(ordered, n, [&](const auto& rest, const auto&, int k) {
+    Matrix<T, max_size, max_size> ordered = A;
+    const T determinant = detail::gauss_jordan<T, max_size>(ordered, n, [&](const auto& rest, const auto&, int k) {
         if (k + 1 == n) return;
         T largest(0);
         for (int r = k + 1; r < n; ++r) largest = max(largest, abs(rest(r, k)));
         weak = weak || abs(rest(k, k)) < T(0.1) * largest;
     });
-    const std::array<T, size> usual = packed(ordered, determinant);
+    const std::array<T, size> common = packed(ordered, determinant);
     const std::array<T, size> found = unless(
-        weak, [&] { return usual; },
+        weak, [&] { return common; },
         [&] {
-            Matrix<T, most, most> exchanged = A;
-            const T its_determinant = detail::gauss_jordan_with_exchange<T, most>(exchanged, n);
+            Matrix<T, max_size, max_size> exchanged = A;
+            const T its_determinant = detail::gauss_jordan_with_exchange<T, max_size>(exchanged, n);
             std::array<T, size> rare = packed(exchanged, its_determinant);
-            for (std::size_t i = 0; i < size; ++i) rare[i] = select(weak, rare[i], usual[i]);
+            for (std::size_t i = 0; i < size; ++i) rare[i] = select(weak, rare[i], common[i]);
             return rare;
         });
     for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < n; ++j) A(i, j) = found[place(i, j)];
+        for (int j = 0; j < n; ++j) A(i, j) = found[index(i, j)];
     }
     return found.back();
 }
 
-// The inverse of the leading n x n block of a positive definite A, whose pivots may be taken as they come.
-template <class T, int most>
-void invert_positive_definite(Matrix<T, most, most>& A, int n) {
-    detail::gauss_jordan<T, most>(A, n, [](auto&, auto&, int) {});
+// The inverse of the leading n x n block of a positive definite A, which needs no pivoting.
+template <class T, int max_size>
+void invert_positive_definite(Matrix<T, max_size, max_size>& A, int n) {
+    detail::gauss_jordan<T, max_size>(A, n, [](auto&, auto&, int) {});
 }
 
-// The inverse of a symmetric one, of which only the lower triangle is read.
+// The inverse of a symmetric matrix, of which only the lower triangle is read.
 template <class T>
 Mat3<T> symmetric_inverse(const Mat3<T>& A) {
     const T &a = A(0, 0), &b = A(1, 0), &c = A(2, 0), &d = A(1, 1), &e = A(2, 1), &f = A(2, 2);
@@ -140,7 +139,7 @@ Mat3<T> symmetric_inverse(const Mat3<T>& A) {
 }
 
 // Solves K x = b for a symmetric positive definite 6x6 matrix, of which only the lower triangle is read, by blocks of
-// 3x3: two divisions that wait for each other in place of six.
+// 3x3: two dependent divisions instead of six.
 template <class T>
 Vector<T, 6> solve_positive_definite(const Matrix<T, 6, 6>& K, const Vector<T, 6>& b) {
     const Mat3<T> A_inverse = symmetric_inverse<T>(K.template topLeftCorner<3, 3>());

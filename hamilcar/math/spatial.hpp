@@ -47,13 +47,13 @@ Vec3<T> velocity_at(const Spatial<T>& v, const Vec3<T>& p) {
     return linear(v) + angular(v).cross(p);
 }
 
-// v x m: rate of a motion m carried along by v.
+// v x m: rate of change of a motion m fixed in a body that moves with v.
 template <class T>
 Spatial<T> cross_motion(const Spatial<T>& v, const Spatial<T>& m) {
     return spatial<T>(angular(v).cross(linear(m)) + linear(v).cross(angular(m)), angular(v).cross(angular(m)));
 }
 
-// v x* f: rate of a force f carried along by v; its transpose relation is f.(v x m) = -(v x* f).m.
+// v x* f: rate of change of a force f fixed in a body that moves with v; the transpose relation is f.(v x m) = -(v x* f).m.
 template <class T>
 Spatial<T> cross_force(const Spatial<T>& v, const Spatial<T>& f) {
     return spatial<T>(angular(v).cross(linear(f)), linear(v).cross(linear(f)) + angular(v).cross(angular(f)));
@@ -98,10 +98,10 @@ struct RigidBody {
 template <class T>
 struct SpatialInertia {
     T mass;
-    Vec3<T> moment;         // mass x center [kg m]
+    Vec3<T> first_moment;   // mass x center [kg m]
     Symmetric3<T> inertia;  // about O [kg m^2]
     static constexpr auto members() {
-        return std::tuple(&SpatialInertia::mass, &SpatialInertia::moment, &SpatialInertia::inertia);
+        return std::tuple(&SpatialInertia::mass, &SpatialInertia::first_moment, &SpatialInertia::inertia);
     }
 
     // Body with center of mass c and inertia J about it, both already in the axes of O.
@@ -116,15 +116,15 @@ struct SpatialInertia {
 
     Spatial<T> operator*(const Spatial<T>& v) const {
         const Vec3<T> w = angular(v), l = linear(v);
-        return spatial<T>(mass * l + w.cross(moment), inertia * w + moment.cross(l));
+        return spatial<T>(mass * l + w.cross(first_moment), inertia * w + first_moment.cross(l));
     }
 
     // Adds the lower triangle of the 6x6 matrix form to K.
     void add_to_lower(Matrix<T, 6, 6>& K) const {
         for (int i = 0; i < 3; ++i) K(i, i) += mass;
-        K(3, 1) -= moment[2], K(3, 2) += moment[1];
-        K(4, 0) += moment[2], K(4, 2) -= moment[0];
-        K(5, 0) -= moment[1], K(5, 1) += moment[0];
+        K(3, 1) -= first_moment[2], K(3, 2) += first_moment[1];
+        K(4, 0) += first_moment[2], K(4, 2) -= first_moment[0];
+        K(5, 0) -= first_moment[1], K(5, 1) += first_moment[0];
         K(3, 3) += inertia.xx, K(4, 4) += inertia.yy, K(5, 5) += inertia.zz;
         K(4, 3) += inertia.xy, K(5, 4) += inertia.yz, K(5, 3) += inertia.xz;
     }

@@ -1,4 +1,4 @@
-// Lets the recording number into Eigen's matrices.
+// Lets Eigen use the recording number as a scalar.
 #pragma once
 
 #include "hamilcar/math/eigen.hpp"

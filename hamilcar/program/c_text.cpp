@@ -16,7 +16,7 @@ std::size_t at(Id id) {
     return static_cast<std::size_t>(id);
 }
 
-// What stands before, between and after the operands.
+// The text before, between and after the operands.
 struct Form {
     std::string_view before, between = "", then = "", after = "";
 };
@@ -67,14 +67,14 @@ public:
             if (id < graph_.size()) statement(id);
         }
         for (const Output& output : graph_.outputs()) {
-            text_ += "    " + place(output.array, output.place) + " = " + name_of(output.node) + ";\n";
+            text_ += "    " + element(output.array, output.index) + " = " + name_of(output.node) + ";\n";
         }
         return std::move(text_) + "}\n";
     }
 
 private:
-    static std::string place(int array, int place) {
-        return "arrays[" + std::to_string(array) + "][" + std::to_string(place) + "]";
+    static std::string element(int array, int index) {
+        return "arrays[" + std::to_string(array) + "][" + std::to_string(index) + "]";
     }
     std::string indent() const { return in_region_ ? "        " : "    "; }
 
@@ -86,7 +86,7 @@ private:
         return "v" + std::to_string(id);
     }
 
-    // To the last bit, whatever the locale.
+    // Exact to the last bit, independent of the locale.
     std::string constant(double value) const {
         const std::string suffix = single_ ? "f" : "";
         if (std::isnan(value)) return "(0.0" + suffix + " / 0.0" + suffix + ")";
@@ -112,7 +112,7 @@ private:
     }
 
     std::string expression(const Node& node) const {
-        if (node.op == Op::input) return place(node.a, node.b);
+        if (node.op == Op::input) return element(node.a, node.b);
         const std::string a = name_of(node.a);
         const std::string f = single_ ? "f(" : "(";
         if (node.op == Op::square_root) return "sqrt" + f + a + ")";
@@ -162,7 +162,7 @@ private:
         for (const Node& node : graph_.nodes()) {
             if (node.op == Op::input) read[at(node.a)].insert(node.b);
         }
-        for (const Output& output : graph_.outputs()) written[at(output.array)].insert(output.place);
+        for (const Output& output : graph_.outputs()) written[at(output.array)].insert(output.index);
         text_ += "/* Written by Hamilcar. Compile it with -ffp-contract=off and without -ffast-math.\n\n";
         text_ +=
             "   arrays: arrays of numbers, by number; those that are written must not overlap those that are read.\n";
@@ -172,14 +172,14 @@ private:
                 text_ += "     arrays[" + std::to_string(i) + "]: writes " + list(written[i]) + "\n";
         }
         text_ +=
-            "   functions: what it calls, by number; each is given `context`, a number of the call's own, 1, arguments "
+            "   functions: those that it calls, by number; each is passed `context`, a detail number, 1, arguments "
             "and\n";
         text_ += "     room for results, both of the type of the arrays. May be a null pointer if it calls none.\n";
         for (const Call& call : graph_.calls()) functions_.insert(call.function);
         text_ += functions_.empty() ? "     It calls none. */\n" : "     It calls " + list(functions_) + " */\n";
     }
 
-    // 0 to 4, 7, 9.
+    // As in "0 to 4, 7, 9".
     static std::string list(const std::set<int>& numbers) {
         std::string text;
         for (auto i = numbers.begin(); i != numbers.end();) {

@@ -1,4 +1,4 @@
-// A graph as C: to check the other backends by, for controllers' hardware, and for compilers to elsewhere.
+// A graph as C source: to check the other backends, for embedded hardware, and for other targets' compilers.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace hamilcar::program {
 
 // One C99 function without includes, for one car; its own comment explains the arguments. Compiled with -ffp-contract=off it gives
-// the bits of the other backends, on processors that compute in the precision asked for.
+// the bits of the other backends, on processors that compute in the requested precision.
 std::string c_text(const Graph& graph, std::string_view function_name);
 
 }  // namespace hamilcar::program

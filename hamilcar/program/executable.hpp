@@ -1,4 +1,4 @@
-// A graph made ready to run on this machine.
+// A graph compiled for this machine.
 #pragma once
 
 #include <cstddef>
@@ -10,28 +10,28 @@
 
 namespace hamilcar::program {
 
-// A function that a program calls: `arguments` and `results` are doubles or floats as the program's precision says, number by
-// number, each `lanes` times.
+// A function that a program calls: `arguments` and `results` are doubles or floats by the program's precision, number by
+// number, each with `lanes` values.
 using CallFunction = void (*)(const void* context, int detail, int lanes, const void* arguments, void* results);
 
-// What a run works on. Number `i` of an array in lane `l` is at [i * lanes + l]; arrays of doubles or floats as the precision says,
+// The data of a run. Number `i` of an array in lane `l` is at [i * lanes + l]; arrays of doubles or floats by the precision,
 // aligned to 64 bytes where there is more than one lane. Arrays that are written and those that are read must not overlap.
 struct Frame {
     void* arrays[max_arrays] = {};
     const CallFunction* functions = nullptr;
-    const void* context = nullptr;  // for them
+    const void* context = nullptr;  // passed to the functions
 };
 
-// What a compilation came to.
+// Statistics of a compilation.
 struct CompileReport {
     std::size_t instructions = 0, code_bytes = 0, constant_bytes = 0;
-    std::size_t spills = 0, reloads = 0;  // of values that had no register left
+    std::size_t spills = 0, reloads = 0;  // of values for which no register was left
     std::size_t scratch_bytes = 0;        // on the stack
     double seconds = 0;                   // to compile
 };
 
-// May run on many threads at once; throws nothing. Allocates nothing, but for the portable one: where more than 128 KiB
-// of scratch are needed on more threads at once than ever before.
+// May run on many threads at once; throws nothing. Allocates nothing, except that the portable one may when it needs more
+// than 128 KiB of scratch on more threads at once than ever before.
 class Executable {
 public:
     virtual ~Executable() = default;
@@ -55,10 +55,10 @@ protected:
 // A kind of machine to compile for.
 struct Backend {
     std::string_view name;  // "avx512", "avx2", "sse2", "portable"
-    int register_bytes;     // the widest; cars that share one take as many bytes each as a number
+    int register_bytes;     // the widest; with a car in each lane, a lane is as wide as a number
     bool (*is_available)();
-    // One car at a time (lanes 1, nodes of any width that fits register_bytes and 16 bytes at least), or a car in each lane (nodes of
-    // width 1 alone). Throws std::runtime_error where the system gives no memory that may be executed.
+    // One car at a time (lanes 1, nodes of any width that fits register_bytes and 16 bytes at least), or a car in
+    // each lane (nodes of width 1 alone). Throws std::runtime_error if the system refuses executable memory.
     std::unique_ptr<Executable> (*compile)(const Graph& graph, bool car_in_each_lane);
 
     int lanes(Precision precision) const { return register_bytes / (precision == Precision::double_precision ? 8 : 4); }

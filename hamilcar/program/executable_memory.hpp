@@ -8,7 +8,7 @@ namespace hamilcar::program {
 
 class ExecutableMemory {
 public:
-    // Copies the code. Throws std::runtime_error where the system refuses.
+    // Copies the code. Throws std::runtime_error if the system refuses.
     explicit ExecutableMemory(std::span<const std::byte> code);
     ~ExecutableMemory();
     ExecutableMemory(const ExecutableMemory&) = delete;

@@ -66,7 +66,7 @@ Op opposite_of(Op op) {
     }
 }
 
-// The same numbers, to the bit.
+// Whether the numbers are equal bit by bit.
 bool equal_bits(std::span<const double> a, std::span<const double> b) {
     return std::ranges::equal(
         a, b, [](double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); });
@@ -84,19 +84,19 @@ Id Graph::constant(double value, int width) {
 }
 
 Id Graph::constant(std::span<const double> values) {
-    const auto place = static_cast<Id>(pool_.size());
+    const auto index = static_cast<Id>(pool_.size());
     for (const double value : values) {
         pool_.push_back(precision_ == Precision::single_precision ? static_cast<float>(value) : value);
     }
     const Id before = size();
-    const Id id = shared({.op = Op::constant, .width = static_cast<std::uint8_t>(values.size()), .a = place});
-    if (size() == before) pool_.resize(static_cast<std::size_t>(place));  // it was there
+    const Id id = shared({.op = Op::constant, .width = static_cast<std::uint8_t>(values.size()), .a = index});
+    if (size() == before) pool_.resize(static_cast<std::size_t>(index));  // it was there
     return id;
 }
 
-Id Graph::input(int array, int place) {
+Id Graph::input(int array, int index) {
     assert(array < max_arrays);
-    return shared({.op = Op::input, .a = array, .b = place});
+    return shared({.op = Op::input, .a = array, .b = index});
 }
 
 Id Graph::truth(bool value, int width) {
@@ -155,7 +155,7 @@ Id Graph::simplified(Op op, Id a, Id b, Id c) {
     }
 }
 
-// Both constant.
+// Folds two constants.
 Id Graph::folded(Op op, Id a, Id b) {
     if (!is_constant(a) || !is_constant(b)) return none;
     const std::span<const double> x = constants(node(a)), y = constants(node(b));
@@ -203,7 +203,7 @@ Id Graph::simplified_condition(Op op, Id a, Id b) {
         const Op other = opposite_of(node(a).op);
         return other == Op::opposite ? none : add(other, node(a).a, node(a).b);
     }
-    const bool neutral = op == Op::both;  // the truth that changes nothing; the other one decides
+    const bool neutral = op == Op::both;  // the value that changes nothing; the other one decides the result
     if (a == b || is_truth(b, neutral)) return a;
     if (is_truth(a, neutral)) return b;
     if (is_truth(a, !neutral) || is_truth(b, !neutral)) return truth(!neutral, width);
@@ -243,7 +243,8 @@ std::vector<Id> Graph::end_region(std::span<const Id> defaults, std::span<const 
     region.defaults.assign(defaults.begin(), defaults.end());
     region.results.assign(results.begin(), results.end());
     in_region_ = false;
-    for (const std::size_t at : region_entries_) table_[at] = none;  // the latest: no other entry was moved on by them
+    for (const std::size_t at : region_entries_)
+        table_[at] = none;  // the latest entries, so that no other one was displaced by them
     table_used_ -= region_entries_.size();
     region_entries_.clear();
     std::vector<Id> merged;
@@ -268,7 +269,7 @@ Id Graph::append(const Node& node) {
     return size() - 1;
 }
 
-// The node that says the same, or this one anew. The block and the region that it is in make no difference.
+// An equal node if there is one, else this one as a new node. Block and region do not matter.
 Id Graph::shared(Node node) {
     if (2 * (table_used_ + 1) > table_.size()) grow_table();
     const auto same = [&](const Node& other) {
@@ -296,7 +297,7 @@ std::size_t Graph::hash(const Node& node) const {
     return mix(h ^ h >> 32, 0) >> 32;  // simple constants differ in their upper bits alone
 }
 
-// Anew from all nodes that may be shared here: those of regions that are behind may not.
+// Rebuilds the table from all nodes that may be shared here; those of regions already ended may not.
 void Graph::grow_table() {
     table_.assign(std::max(smallest_table, 2 * table_.size()), none);
     table_used_ = 0;

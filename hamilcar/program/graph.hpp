@@ -1,9 +1,9 @@
-// A computation as a straight list of operations: what a trace leaves, passes turn into another, and backends run.
+// A computation as a linear list of operations: recorded by tracing, transformed by passes, run by backends.
 //
-// Nodes stand in the order of execution and refer to earlier ones alone. A node is of width 1, 2 or 4: so many numbers side
-// by side in one car (the left and the right wheel), and each of them in every lane of a backend (a car in each).
+// Nodes are in the order of execution and refer to earlier ones only. A node has width 1, 2 or 4: that many numbers of one car
+// side by side (such as left and right wheel), and each of them in every lane of a backend (a car in each).
 // Adding a node folds what is exact, whatever the numbers: both operands constant, x + 0, x - 0, 0 - x, x * 1, x * -1, 0 * x,
-// x / 1, a + (-b), -(-x), equal alternatives; and returns a node that says the same where there is one. Nothing is
+// x / 1, a + (-b), -(-x), equal alternatives; and returns an equal node where there is one. Nothing is
 // reassociated or fused, so the bits are those of the plain program in every lane of every backend; but for the sign of a zero,
 // and for an infinity or a NaN times a constant zero, which is zero here.
 #pragma once
@@ -16,8 +16,8 @@
 namespace hamilcar::program {
 
 enum class Op : std::uint8_t {
-    constant,  // a: place in the pool of `width` numbers
-    input,     // a: array, b: place in it; width 1
+    constant,  // a: index in the pool of `width` numbers
+    input,     // a: array, b: index in it; width 1
     add,
     subtract,
     multiply,
@@ -27,7 +27,7 @@ enum class Op : std::uint8_t {
     absolute,
     minimum,  // a < b ? a : b, also where they do not compare
     maximum,  // b < a ? a : b
-    // Conditions, a truth per number:
+    // Conditions, a truth value per number:
     truth,  // a: 0 or 1 throughout
     less,
     less_equal,
@@ -40,7 +40,7 @@ enum class Op : std::uint8_t {
     opposite,
     // Numbers again:
     select,  // a: condition; b where it holds, else c
-    join,    // b beside a, both of half the width
+    join,    // a, then b, both of half the width
     part,    // number b of a; width 1, of a condition too
     call,    // a: which of `calls`; no value
     result,  // a: node of a call, b: which result; width 1
@@ -64,23 +64,23 @@ struct Node {
     bool operator==(const Node&) const = default;
 };
 
-// How many of a, b, c are nodes; those of calls are in their lists.
+// How many of a, b, c are nodes; the nodes of calls are in their lists.
 int operand_count(Op op);
 inline bool is_condition(Op op) {
     return op >= Op::truth && op <= Op::opposite;
 }
 
-// A function outside the list, called once for all lanes: `arguments` and `results` stand number by number, each for all lanes;
-// `detail` is the call's own number. Width 1 throughout.
+// A function outside the list, called once for all lanes: `arguments` and `results` are stored number by number, each
+// for all lanes; `detail` identifies the call to the function. Width 1 throughout.
 struct Call {
-    int function;  // place in the table that a run is given
+    int function;  // index into the functions of a run
     int detail;
     int result_count;
     std::vector<Id> arguments;
     bool operator==(const Call&) const = default;
 };
 
-// Nodes [first, last) run only where the condition holds in any lane (a wide condition: in any number), and for all lanes then.
+// Nodes [first, last) run only if the condition holds in any lane (a wide condition: in any number), and then for all lanes.
 // Regions do not nest.
 struct Region {
     Id condition, first, last;
@@ -89,7 +89,7 @@ struct Region {
 };
 
 struct Output {
-    int array, place;
+    int array, index;
     Id node;  // of width 1
     bool operator==(const Output&) const = default;
 };
@@ -108,28 +108,28 @@ public:
     const std::vector<Call>& calls() const { return calls_; }
     const std::vector<Region>& regions() const { return regions_; }
     const std::vector<Output>& outputs() const { return outputs_; }
-    // Of a constant node, as many as it is wide; single precision holds numbers that are singles.
+    // The numbers of a constant node, one per unit of width; in single precision they are singles.
     std::span<const double> constants(const Node& constant) const {
         return std::span(pool_).subspan(static_cast<std::size_t>(constant.a), constant.width);
     }
 
     Id constant(double value, int width = 1);
     Id constant(std::span<const double> values);
-    Id input(int array, int place);
-    // An operation on nodes: a node that is there, a simpler one, or a new one.
+    Id input(int array, int index);
+    // An operation on nodes: returns an existing node, a simpler one, or a new one.
     Id add(Op op, Id a, Id b = none, Id c = none);
     Id truth(bool value, int width);
-    // Of a condition: whether it is known, and as what.
+    // The value of a condition, if it is known.
     bool is_truth(Id id, bool value) const { return node(id).op == Op::truth && (node(id).a != 0) == value; }
 
     // Returns the first of the results, which are consecutive nodes.
     Id call(int function, int detail, std::span<const Id> arguments, int result_count);
-    // What is added between the two belongs to the region. `end_region` gives the merged values.
+    // Nodes added between the two belong to the region. `end_region` returns the merged values.
     void begin_region(Id condition);
     std::vector<Id> end_region(std::span<const Id> defaults, std::span<const Id> results);
     bool in_region() const { return in_region_; }
 
-    void output(int array, int place, Id node) { outputs_.push_back({array, place, node}); }
+    void output(int array, int index, Id node) { outputs_.push_back({array, index, node}); }
     void set_block(Block block) { block_ = block; }
     Block block() const { return block_; }
     bool operator==(const Graph& other) const;
@@ -160,7 +160,7 @@ private:
     static constexpr std::size_t smallest_table = 1 << 12;
     std::vector<Id> table_;  // open addressing by hash(node)
     std::size_t table_used_ = 0;
-    std::vector<std::size_t> region_entries_;  // places in the table that the open region has taken
+    std::vector<std::size_t> region_entries_;  // indices in the table that the open region has taken
 };
 
 }  // namespace hamilcar::program

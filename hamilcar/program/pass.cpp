@@ -12,7 +12,7 @@ std::size_t at(Id id) {
     return static_cast<std::size_t>(id);
 }
 
-// Whether an output needs it, of each node. Nodes refer to earlier ones alone, so one walk backward finds all.
+// Whether an output needs each node. Nodes refer to earlier ones only, so one backward pass finds all.
 std::vector<bool> needed(const Graph& graph) {
     std::vector<bool> found(at(graph.size()), false);
     const auto mark = [&](Id id) { found[at(id)] = true; };
@@ -40,8 +40,8 @@ std::vector<bool> needed(const Graph& graph) {
 // A node of the old graph in the new one: as it is, or number by number.
 using Numbers = std::array<Id, 4>;
 
-// A graph written anew from another. Every node goes through the new graph's own rules, so what they fold and share is folded
-// and shared there once more.
+// Rebuilds a graph from another. Every node is added by the new graph's own rules, so that folding and sharing happen once
+// more.
 class Rewriting {
 public:
     Rewriting(const Graph& from, std::vector<bool> kept, bool single)
@@ -68,7 +68,7 @@ public:
         }
         for (const Output& output : from_.outputs()) {
             assert(from_.node(output.node).width == 1);
-            to_.output(output.array, output.place, new_ids_[at(output.node)][0]);
+            to_.output(output.array, output.index, new_ids_[at(output.node)][0]);
         }
         return std::move(to_);
     }
@@ -91,7 +91,7 @@ private:
             case Op::part: return {single_ ? number(node.a, node.b) : to_.add(Op::part, number(node.a, 0), node.b)};
             case Op::call: return {call(from_.calls()[at(node.a)])};
             case Op::result: return {number(node.a, 0) + node.b};
-            case Op::merge: return new_ids_[at(id)];  // since the region's end
+            case Op::merge: return new_ids_[at(id)];  // already done at the region's end
             default: break;
         }
         const int count = operand_count(node.op);
@@ -113,7 +113,7 @@ private:
         return both;
     }
 
-    // The first result.
+    // Returns the first result.
     Id call(const Call& old) {
         std::vector<Id> arguments;
         for (const Id argument : old.arguments) arguments.push_back(number(argument, 0));
@@ -123,7 +123,7 @@ private:
     void begin_region(Id index) {
         merges_of_open_ = merges(index);
         const Region& region = from_.regions()[at(index)];
-        if (merges_of_open_.empty()) {  // nothing needs it, nor a node in it
+        if (merges_of_open_.empty()) {  // neither its results nor any node in it is needed
             std::fill(kept_.begin() + region.first, kept_.begin() + region.last, false);
             return;
         }

@@ -5,10 +5,10 @@
 
 namespace hamilcar::program {
 
-// Without the nodes that no output needs. A region that nothing needs goes as a whole; a call stays while one result is needed.
+// Without the nodes that no output needs. An unneeded region is removed as a whole; a call stays while one result is needed.
 Graph without_dead_code(const Graph& graph);
 
-// Every wide node as nodes of width 1, number by number: for backends whose lanes are taken by cars.
+// Every wide node as nodes of width 1, number by number: for backends with a car in each lane.
 Graph in_single_numbers(const Graph& graph);
 
 }  // namespace hamilcar::program

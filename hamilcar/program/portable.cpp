@@ -16,33 +16,33 @@ struct alignas(64) CacheLine {
     std::byte bytes[64];
 };
 
-// Scratch memory of programs that need much. It makes new memory only where more threads run than ever before, so that all runs
-// but each thread's first allocate nothing; a program that calls itself is fine, too.
+// Scratch memory of programs that need much. It allocates only when more threads run at once than ever before, so that all runs
+// but each thread's first allocate nothing; recursive programs work, too.
 class ScratchPool {
 public:
     ScratchPool() = default;
     ~ScratchPool() {
-        for (std::atomic<CacheLine*>& place : places_) delete[] place.load();
+        for (std::atomic<CacheLine*>& slot : slots_) delete[] slot.load();
     }
     ScratchPool(const ScratchPool&) = delete;
     ScratchPool& operator=(const ScratchPool&) = delete;
 
     CacheLine* take(std::size_t lines) {
-        for (std::atomic<CacheLine*>& place : places_) {
-            if (CacheLine* found = place.exchange(nullptr)) return found;
+        for (std::atomic<CacheLine*>& slot : slots_) {
+            if (CacheLine* found = slot.exchange(nullptr)) return found;
         }
         return new CacheLine[lines];
     }
-    void give_back(CacheLine* memory) noexcept {
-        for (std::atomic<CacheLine*>& place : places_) {
+    void put_back(CacheLine* memory) noexcept {
+        for (std::atomic<CacheLine*>& slot : slots_) {
             CacheLine* empty = nullptr;
-            if (place.compare_exchange_strong(empty, memory)) return;
+            if (slot.compare_exchange_strong(empty, memory)) return;
         }
         delete[] memory;
     }
 
 private:
-    std::array<std::atomic<CacheLine*>, 64> places_{};
+    std::array<std::atomic<CacheLine*>, 64> slots_{};
 };
 
 template <class Number>
@@ -57,7 +57,7 @@ public:
                              code_.steps.size() * sizeof(Step);
         report_.constant_bytes = code_.constants.size() * sizeof(Number);
         report_.scratch_bytes = bytes;
-        if (bytes > large) pool_.give_back(pool_.take(lines()));  // for the first thread
+        if (bytes > large) pool_.put_back(pool_.take(lines()));  // for the first thread
     }
 
     void set_seconds(double seconds) { report_.seconds = seconds; }
@@ -75,7 +75,7 @@ private:
         const auto& program = static_cast<const Portable&>(self);
         CacheLine* memory = program.pool_.take(program.lines());
         program.code_.walk(frame, reinterpret_cast<Number*>(memory));
-        program.pool_.give_back(memory);
+        program.pool_.put_back(memory);
     }
 
     Code<Number> code_;

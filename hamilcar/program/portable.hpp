@@ -1,5 +1,5 @@
-// The backend without generated code: it walks the list with one block of numbers an operation. For processors that have no
-// backend of their own, for systems that forbid generated code, and as the plain reading of what the others do.
+// The backend without generated code: it interprets the list, one block of numbers per operation. For processors without a
+// backend of their own, for systems that forbid generated code, and as the reference for the other backends.
 #pragma once
 
 #include <memory>

@@ -33,7 +33,7 @@ Number computed(Number a) {
     if constexpr (op == Op::opposite) return std::bit_cast<Number>(~bits(a));
 }
 
-// The loops, apart from where their numbers stand: compilers believe `__restrict` of parameters.
+// The loops in functions of their own: compilers rely on `__restrict` only for parameters.
 template <class Number, int count, Op op>
 void compute(Number* __restrict result, const Number* __restrict a) {
     for (int i = 0; i < count; ++i) result[i] = computed<Number, op>(a[i]);
@@ -118,7 +118,7 @@ Work<Number> work(Op op, int count) {
 
 namespace {
 
-// In any number.
+// Whether the condition holds in any number.
 template <class Number>
 bool holds(const Number* condition, int numbers) {
     Bits<Number> found = 0;

@@ -1,4 +1,4 @@
-// What the portable backend walks: operations on blocks of numbers, and the steps between them.
+// The code that the portable backend interprets: operations on blocks of numbers, and the steps between them.
 #pragma once
 
 #include <array>
@@ -13,14 +13,14 @@
 
 namespace hamilcar::program::portable {
 
-// Numbers are read from the scratch memory, from the constants, or straight from the arrays of the frame: the upper bits of an
-// operand say which, the lower ones which number there.
+// Numbers are read from the scratch memory, from the constants, or directly from the arrays of the frame: the upper bits of an
+// operand select the memory, the lower ones the number in it.
 using Operand = std::uint32_t;
 constexpr int offset_bits = 28;
 enum Base : Operand { scratch_base, constants_base, arrays_base };
 constexpr int base_count = arrays_base + max_arrays;
 
-constexpr Operand at_place(std::size_t base, std::size_t offset) {
+constexpr Operand operand_at(std::size_t base, std::size_t offset) {
     assert(offset < (std::size_t{1} << offset_bits));
     return static_cast<Operand>(base) << offset_bits | static_cast<Operand>(offset);
 }
@@ -33,7 +33,7 @@ constexpr std::size_t offset_of(Operand operand) {
     return operand & ((Operand{1} << offset_bits) - 1);
 }
 
-// What a walk reads and writes.
+// The memory that a walk reads and writes.
 template <class Number>
 struct Memory {
     Number* scratch;
@@ -42,7 +42,7 @@ struct Memory {
     const Number* operator[](Operand operand) const { return bases[base_of(operand)] + offset_of(operand); }
 };
 
-// A condition is a number of zero bits or of ones, so that it stands where numbers do and chooses by `and` and `or`.
+// A condition is a number with all bits clear or all set, so that it is stored like numbers and selects by `and` and `or`.
 template <class Number>
 using Bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
 
@@ -62,16 +62,15 @@ struct Operation {
     Operand a, b, c;
 };
 
-// Does operations of one kind, on blocks of as many numbers as it knows.
+// Executes operations of one kind on blocks of a fixed size.
 template <class Number>
 using Work = void (*)(const Memory<Number>& memory, const Operation* first, const Operation* last);
 
-// For blocks of `count` numbers (1, 2, 4, 8 or 16); for what is no operation on numbers, a copy of `a`.
+// For blocks of `count` numbers (1, 2, 4, 8 or 16); for anything but an operation on numbers, a copy of `a`.
 template <class Number>
 Work<Number> work(Op op, int count);
 
-// Operations [first, last) of one kind: a walk that jumps to another kind at every operation waits for its jumps, which no
-// processor foresees.
+// Operations [first, last) of one kind: a jump to another kind at every operation would be mispredicted by the processor.
 template <class Number>
 struct Group {
     Work<Number> work;
@@ -86,19 +85,19 @@ struct Step {
     Then then = Then::go_on;
     Operand condition = 0;                   // of a region
     int numbers = 0;                         // in it
-    std::size_t target = 0;                  // step to go to, of a region where the condition holds nowhere
+    std::size_t target = 0;                  // of a region: the step to go to if the condition holds nowhere
     int function = 0, detail = 0;            // of a call
     std::size_t arguments = 0, results = 0;  // in the scratch memory
 };
 
-// An output, once all is done.
+// An output, stored at the end.
 struct Store {
     int array;
     std::size_t offset;
     Operand from;
 };
 
-// A list ready to be walked, by many threads at once: it does not change.
+// The code, which may be walked by many threads at once since it does not change.
 template <class Number>
 struct Code {
     int lanes;
@@ -112,11 +111,11 @@ struct Code {
     void walk(const Frame& frame, Number* scratch) const;
 };
 
-// The nodes in an order that has those of one kind beside one another where it can, and each after its operands. Regions and calls
-// stay where they are, and no node moves far: what is computed early takes room in the cache until it is needed.
+// The nodes in an order that groups those of one kind where possible, each after its operands. Regions and calls stay where
+// they are, and no node moves far: values computed early occupy the cache until they are used.
 std::vector<Id> order_by_kind(const Graph& graph);
 
-// From a graph to code, for so many lanes.
+// From a graph to code for `lanes` lanes.
 template <class Number>
 Code<Number> translated(const Graph& graph, int lanes);
 

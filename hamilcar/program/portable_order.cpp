@@ -29,9 +29,9 @@ public:
     std::vector<Id> ids() && { return std::move(ids_); }
 
 private:
-    static constexpr std::size_t window = 128;  // nodes looked at together
+    static constexpr std::size_t window = 128;  // nodes considered together
 
-    // What makes operations work alike; 0 where there is nothing to do.
+    // Equal for operations of one kind; 0 where there is nothing to do.
     int kind(Id id) const {
         const Node& node = graph_.node(id);
         const bool is_free = node.op <= Op::input || node.op == Op::truth || node.op >= Op::part;
@@ -63,7 +63,7 @@ private:
         }
     }
 
-    // Among those that are ready; but those without work come first.
+    // Chooses among the ready nodes; those without work come first.
     int most_frequent(const std::vector<Id>& waiting) const {
         std::array<int, 4 * (static_cast<std::size_t>(Op::merge) + 1)> counts{};
         for (const Id id : waiting) counts[at(kind(id))] += is_ready(id);

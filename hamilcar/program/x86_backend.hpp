@@ -10,12 +10,12 @@
 
 namespace hamilcar::program {
 
-// Of the processor and the system.
+// Whether processor and system support it.
 bool has_sse2();
 bool has_avx2();
 bool has_avx512();  // with its F, DQ, VL and BW
 
-// As Backend::compile. The code is the same bits as the portable backend's, lane by lane; MXCSR is the caller's.
+// As Backend::compile. Results have the same bits as the portable backend's, lane by lane; MXCSR is left as the caller set it.
 std::unique_ptr<Executable> compile_sse2(const Graph& graph, bool car_in_each_lane);
 std::unique_ptr<Executable> compile_avx2(const Graph& graph, bool car_in_each_lane);
 std::unique_ptr<Executable> compile_avx512(const Graph& graph, bool car_in_each_lane);

@@ -33,11 +33,11 @@ asmjit::x86::Mem ConstantTable::bits(std::uint64_t bits, Kind kind) {
 
 asmjit::x86::Mem ConstantTable::operand(const std::string& number, Kind kind) {
     const auto number_bytes = static_cast<std::size_t>(target_.number_bytes());
-    const auto wanted = static_cast<std::size_t>(target_.bytes(kind));
-    const bool one = number.size() == number_bytes && wanted > number_bytes;
+    const auto register_bytes = static_cast<std::size_t>(target_.bytes(kind));
+    const bool one = number.size() == number_bytes && register_bytes > number_bytes;
     if (one && target_.has_masks()) {
-        const asmjit::x86::Mem spread = asmjit::x86::ptr(base, place(number) - bias());
-        switch (wanted / number_bytes) {
+        const asmjit::x86::Mem spread = asmjit::x86::ptr(base, offset_of(number) - bias());
+        switch (register_bytes / number_bytes) {
             case 2: return spread._1to2();
             case 4: return spread._1to4();
             case 8: return spread._1to8();
@@ -45,13 +45,13 @@ asmjit::x86::Mem ConstantTable::operand(const std::string& number, Kind kind) {
         }
     }
     std::string bytes = number;
-    while (one && bytes.size() < wanted) bytes += number;
-    bytes.resize(wanted);  // two singles take a whole register
-    return asmjit::x86::ptr(base, place(bytes) - bias());
+    while (one && bytes.size() < register_bytes) bytes += number;
+    bytes.resize(register_bytes);  // two singles take a whole register
+    return asmjit::x86::ptr(base, offset_of(bytes) - bias());
 }
 
-int ConstantTable::place(const std::string& bytes) {
-    const auto [found, is_new] = places_.try_emplace(bytes, 0);
+int ConstantTable::offset_of(const std::string& bytes) {
+    const auto [found, is_new] = offsets_.try_emplace(bytes, 0);
     if (is_new) {
         bytes_.resize((bytes_.size() + bytes.size() - 1) / bytes.size() * bytes.size());
         found->second = static_cast<int>(bytes_.size());

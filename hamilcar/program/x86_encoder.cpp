@@ -25,7 +25,7 @@ bool takes_memory(const Target& target, Op op, Kind kind) {
         case Op::not_less:
         case Op::not_less_equal:
         case Op::not_equal: return true;
-        // These read whole registers, and one number in memory is no more than itself.
+        // These read whole registers, which a single number in memory does not fill.
         case Op::square_root:
         case Op::select: return kind != Kind::scalar;
         case Op::both:
@@ -154,7 +154,7 @@ void Encoder::square_root(Kind kind, int to, const Operand& a) {
                                       : form({Inst::kIdVsqrtpd, Inst::kIdVsqrtps, 0, 0}, kind);
         return emit(id, reg(kind, to), a);
     }
-    // The rest of the result's register comes from another one: from the operand, so as to wait for nothing else.
+    // The rest of the result's register is copied from the operand, to avoid a dependency on anything else.
     if (is_legacy()) {
         copy(kind, to, static_cast<int>(a.as<asmjit::BaseReg>().id()));
         return emit(form({0, 0, Inst::kIdSqrtsd, Inst::kIdSqrtss}, kind), reg(kind, to), reg(kind, to));

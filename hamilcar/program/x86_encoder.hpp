@@ -1,8 +1,8 @@
-// Writes one operation of a graph as machine instructions, for registers and places in memory that are given: the
-// differences between SSE2, AVX2 and AVX-512 end here.
+// Writes one operation of a graph as machine instructions, with given registers and memory addresses: the only
+// code that distinguishes SSE2, AVX2 and AVX-512.
 //
-// Registers are numbers within their file. `Operand` is a register or a place in memory; which operation takes memory where is
-// asked of `takes_memory`. The result's register may be an operand's, but for `needs_own_result`.
+// Registers are numbers within their file. `Operand` is a register or a memory address; `takes_memory` tells which operations
+// accept memory. The result's register may be an operand's, except where `needs_own_result` says otherwise.
 #pragma once
 
 #include <asmjit/x86.h>
@@ -23,7 +23,7 @@ public:
 
     Encoder(const Target& target, asmjit::x86::Assembler& assembler) : target_(target), assembler_(assembler) {}
 
-    // The last vector register is not given out where instructions overwrite their first operand.
+    // The last vector register is reserved where instructions overwrite their first operand.
     int vector_count() const {
         return target_.has_masks() ? 32 : target_.set == InstructionSet::avx2 ? 16 : sse2_scratch;
     }

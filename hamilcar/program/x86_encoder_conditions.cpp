@@ -154,12 +154,12 @@ void Encoder::part(Kind from, int to, int a, int number) {
         emit(id, result, reg(from, a), imm(number / in_xmm));
         source = to;
     }
-    const int place = number % in_xmm;
-    if (place == 0) return copy(Kind::xmm, to, source);
+    const int element = number % in_xmm;
+    if (element == 0) return copy(Kind::xmm, to, source);
     const Operand whole = reg(Kind::xmm, source);
-    if (is_legacy()) return emit(Inst::kIdPshufd, result, whole, imm(target_.is_double() ? 0xee : 0x55 * place));
+    if (is_legacy()) return emit(Inst::kIdPshufd, result, whole, imm(target_.is_double() ? 0xee : 0x55 * element));
     if (target_.is_double()) return emit(Inst::kIdVunpckhpd, result, whole, whole);
-    emit(Inst::kIdVshufps, result, whole, whole, imm(0x55 * place));
+    emit(Inst::kIdVshufps, result, whole, whole, imm(0x55 * element));
 }
 
 }  // namespace hamilcar::program::x86

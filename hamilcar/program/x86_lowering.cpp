@@ -91,8 +91,8 @@ void Lowering::lower(Id id) {
     switch (graph_.node(id).op) {
         case Op::constant:
         case Op::input:
-        case Op::truth:          // where they are needed
-        case Op::merge: return;  // with its region
+        case Op::truth:          // materialized where they are needed
+        case Op::merge: return;  // computed with its region
         case Op::call: return lower_call(id);
         case Op::result: return lower_result(id);
         case Op::square_root:
@@ -187,8 +187,8 @@ void Lowering::lower_part(Id id) {
     const Value& from = value(node.a);
     const Kind kind = value(id).kind;
     const int reg = from.reg;
-    if (reg < 0 && from.place >= 0 && kind != Kind::mask) {  // the number alone
-        const Mem number = scratch_at(from.place + node.b * target_.number_bytes());
+    if (reg < 0 && from.offset >= 0 && kind != Kind::mask) {  // the number alone
+        const Mem number = scratch_at(from.offset + node.b * target_.number_bytes());
         consume(node.a);
         const int to = result_register(kind, -1);
         encoder_.load(Kind::scalar, to, number);
@@ -205,7 +205,7 @@ void Lowering::lower_part(Id id) {
 void Lowering::define(Id id, int reg) {
     value(id).reg = reg;
     file(value(id).kind).assign(reg, id, next_use(id));
-    give_back_places();
+    release_dead_scratch();
     store_outputs(id);
     if (uses_.is_dead(id)) release(id);
 }
@@ -215,7 +215,7 @@ void Lowering::store_outputs(Id id) {
         const Output& output = graph_.outputs()[static_cast<std::size_t>(at)];
         const int number_bytes = target_.lanes() * target_.number_bytes();
         const int reg = in_register(id);
-        encoder_.store(value(id).kind, array_at(output.array, output.place * number_bytes), reg);
+        encoder_.store(value(id).kind, array_at(output.array, output.index * number_bytes), reg);
         at = next_output_[static_cast<std::size_t>(at)];
     }
 }

@@ -1,8 +1,7 @@
 // From a graph to machine code in one walk over the straight list.
 //
-// Registers go by Belady's rule: where none is free, the value that is needed farthest ahead leaves. It costs a store only the
-// first time; constants and inputs are in memory as it is. A second operand that is not in a register comes straight from
-// memory.
+// Registers are allocated by Belady's rule: if none is free, the value whose next use is farthest is evicted. It is stored only
+// the first time; constants and inputs are in memory already. A second operand that is not in a register is read from memory.
 //
 // The code is a function of Executable::Entry's form. Its general registers: rbp scratch on the stack, rbx table of
 // constants, the arrays' pointers in the eight that a call may change, rax free.
@@ -28,22 +27,22 @@ class Lowering {
 public:
     Lowering(const Graph& graph, const Target& target, asmjit::CodeHolder& code);
     void run();
-    // But for code_bytes and seconds.
+    // Except code_bytes and seconds.
     const CompileReport& report() const { return report_; }
 
 private:
     using Mem = asmjit::x86::Mem;
 
-    // Where a value is: in a register, in a place on the stack, or in both.
+    // Where a value is: in a register, on the stack, or both.
     struct Value {
         Kind kind = Kind::scalar;
         bool is_condition = false;
-        int reg = -1, place = -1;
+        int reg = -1, offset = -1;
         int constant = -1;  // among constant_operands_
     };
     struct Saved {
         Id id;
-        int place;
+        int offset;
     };
 
     // x86_lowering.cpp
@@ -68,12 +67,12 @@ private:
     void load_value(Id id, int reg);
     void consume(Id id);
     void release(Id id);
-    void give_back_places();
+    void release_dead_scratch();
     Mem memory_of(Id id);
-    Mem array_at(int array, int place) const;
-    Mem scratch_at(int place) const { return asmjit::x86::ptr(asmjit::x86::rbp, place - scratch_bias_); }
-    bool is_in_memory(Id id) const { return value(id).place >= 0 || is_available_anywhere(id); }
-    // Needs no place: constants and inputs.
+    Mem array_at(int array, int offset) const;
+    Mem scratch_at(int offset) const { return asmjit::x86::ptr(asmjit::x86::rbp, offset - scratch_bias_); }
+    bool is_in_memory(Id id) const { return value(id).offset >= 0 || is_available_anywhere(id); }
+    // Needs no offset: constants and inputs.
     bool is_available_anywhere(Id id) const {
         return graph_.node(id).op <= Op::input || graph_.node(id).op == Op::truth;
     }
@@ -117,22 +116,22 @@ private:
     std::vector<Value> values_;
     std::vector<Mem> constant_operands_;
     std::vector<int> first_output_, next_output_;  // of a node; of the same node
-    std::vector<Saved> dead_places_;               // may still be read by the instruction that is being written
+    std::vector<Saved> dead_scratch_;              // may still be read by the current instruction
     int position_ = 0;
     CompileReport report_;
 
-    std::vector<std::vector<Id>> merges_;  // of a region, by result; none where nothing needs it
+    std::vector<std::vector<Id>> merges_;  // of a region, by result; none if unused
     bool in_body_ = false;
     Id body_first_ = 0;
-    std::vector<Saved> saved_, results_;      // by the body that is being written
+    std::vector<Saved> saved_, results_;      // by the current body
     std::vector<std::pair<Id, Id>> renamed_;  // a default that the body needs, and the merge that has its register
 
-    int call_arguments_ = 0;         // place of the buffer
-    std::vector<int> call_results_;  // place of a call's buffer
+    int call_arguments_ = 0;         // offset of the buffer
+    std::vector<int> call_results_;  // offset of a call's buffer
     std::uint32_t arrays_used_ = 0;
     bool uses_wide_registers_ = false;
     std::size_t frame_size_at_ = 0;  // in the code
-    int locals_ = 0;                 // place of the caller's stack pointer, then of the frame's address
+    int locals_ = 0;                 // offset of the caller's stack pointer, then of the frame's address
     asmjit::Label constants_label_;
 };
 

@@ -1,4 +1,4 @@
-// Entry and exit, calls, and what is laid out around the code: scratch on the stack, pointers of arrays, constants.
+// Entry and exit, calls, and the layout around the code: scratch on the stack, pointers of arrays, constants.
 #if defined(__x86_64__)
 
 #include <algorithm>
@@ -14,15 +14,15 @@ using namespace asmjit::x86;
 
 namespace {
 
-// All of them a call's to change, and not rax.
+// All of them caller-saved, without rax.
 constexpr std::array<Gp, max_arrays> array_registers{rdi, rsi, rdx, rcx, r8, r9, r10, r11};
 
 constexpr int alignment = 64;
 
 }  // namespace
 
-Mem Lowering::array_at(int array, int place) const {
-    return ptr(array_registers[static_cast<std::size_t>(array)], place);
+Mem Lowering::array_at(int array, int offset) const {
+    return ptr(array_registers[static_cast<std::size_t>(array)], offset);
 }
 
 void Lowering::write_prologue() {
@@ -76,7 +76,7 @@ void Lowering::write_constants() {
     assembler_.embed(bytes.data(), bytes.size());
 }
 
-// All registers are the called function's, so whatever lives goes to memory; results stay in their buffer until they are needed.
+// A call may change all registers, so live values are stored first; results stay in their buffer until they are needed.
 void Lowering::lower_call(Id id) {
     const Node& node = graph_.node(id);
     const Call& call = graph_.calls()[static_cast<std::size_t>(node.a)];
@@ -87,7 +87,7 @@ void Lowering::lower_call(Id id) {
         encoder_.store(value(argument).kind, scratch_at(call_arguments_ + static_cast<int>(i) * number_bytes), reg);
         consume(argument);
     }
-    give_back_places();
+    release_dead_scratch();
     empty_registers(vectors_);
     empty_registers(masks_);
     const int results = scratch_.block(call.result_count * number_bytes, alignment);
@@ -102,7 +102,7 @@ void Lowering::empty_registers(RegisterFile& registers) {
     registers.overwrite_all();
 }
 
-// By the rules of the System V interface.
+// By the System V calling convention.
 void Lowering::write_call(const Call& call, int results) {
     encoder_.emit(Inst::kIdMov, rax, scratch_at(locals_ + 8));
     encoder_.emit(Inst::kIdMov, rdi, ptr(rax, static_cast<int>(offsetof(Frame, context))));
@@ -119,7 +119,7 @@ void Lowering::write_call(const Call& call, int results) {
 void Lowering::lower_result(Id id) {
     const Node& node = graph_.node(id);
     const int number_bytes = target_.lanes() * target_.number_bytes();
-    value(id).place = call_results_[static_cast<std::size_t>(graph_.node(node.a).a)] + node.b * number_bytes;
+    value(id).offset = call_results_[static_cast<std::size_t>(graph_.node(node.a).a)] + node.b * number_bytes;
     store_outputs(id);
     if (uses_.is_dead(id)) release(id);
 }

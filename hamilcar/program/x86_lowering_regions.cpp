@@ -19,7 +19,7 @@ void Lowering::lower_region(int which) {
     consume(region.condition);
     renamed_.clear();
     for (std::size_t i = 0; i < merges.size(); ++i) place_merge(which, merges[i], region.defaults[i]);
-    give_back_places();
+    release_dead_scratch();
     const asmjit::Label body = assembler_.newLabel(), behind = assembler_.newLabel();
     encoder_.emit(asmjit::x86::Inst::kIdJnz, body);
     assembler_.bind(behind);
@@ -37,7 +37,7 @@ void Lowering::lower_region(int which) {
         if (uses_.is_dead(merge)) release(merge);
     }
     release_dead_in(region);
-    give_back_places();
+    release_dead_scratch();
 }
 
 bool Lowering::is_needed(Id merge) const {
@@ -57,7 +57,7 @@ void Lowering::place_merge(int which, Id merge, Id from) {
         if (!is_dead) renamed_.push_back({from, merge});
         file(kind).assign(merged.reg, merge, next_use(merge));
     } else if (is_dead && old.reg < 0) {
-        std::swap(merged.place, old.place);
+        std::swap(merged.offset, old.offset);
     } else {
         const int source = old.reg, to = take_register(kind);
         source >= 0 ? encoder_.copy(kind, to, source) : load_value(from, to);
@@ -88,33 +88,33 @@ void Lowering::lower_body(const Region& region, const std::vector<Id>& merges) {
     restore_registers(masks_, masks_before);
     for (const Saved& result : results_) {
         Value& merged = value(result.id);
-        encoder_.load(merged.kind, merged.reg, scratch_at(result.place));
-        scratch_.give_back(result.place, target_.bytes(merged.kind));
+        encoder_.load(merged.kind, merged.reg, scratch_at(result.offset));
+        scratch_.release(result.offset, target_.bytes(merged.kind));
     }
     for (const Saved& saved : saved_) {
-        scratch_.give_back(saved.place, target_.bytes(value(saved.id).kind));
-        value(saved.id).place = -1;
+        scratch_.release(saved.offset, target_.bytes(value(saved.id).kind));
+        value(saved.id).offset = -1;
     }
     in_body_ = false;
 }
 
-// Defaults that the body needs are in their merges' registers, or where those were evicted to. Their places are the body's
-// alone, as the saved ones.
+// Defaults that the body needs are in their merges' registers, or where those were evicted to. Their stack slots belong to the body
+// alone, like the saved ones.
 void Lowering::save_renamed() {
     for (const auto& [id, merge] : renamed_) {
-        if (value(id).place >= 0) continue;
+        if (value(id).offset >= 0) continue;
         const Kind kind = value(id).kind;
-        const int bytes = target_.bytes(kind), place = scratch_.take(bytes);
+        const int bytes = target_.bytes(kind), offset = scratch_.take(bytes);
         if (value(merge).reg >= 0) {
-            encoder_.store(kind, scratch_at(place), value(merge).reg);
+            encoder_.store(kind, scratch_at(offset), value(merge).reg);
         } else {
             for (int at = 0; at < bytes; at += 4) {
-                encoder_.emit(asmjit::x86::Inst::kIdMov, asmjit::x86::eax, scratch_at(value(merge).place + at));
-                encoder_.emit(asmjit::x86::Inst::kIdMov, scratch_at(place + at), asmjit::x86::eax);
+                encoder_.emit(asmjit::x86::Inst::kIdMov, asmjit::x86::eax, scratch_at(value(merge).offset + at));
+                encoder_.emit(asmjit::x86::Inst::kIdMov, scratch_at(offset + at), asmjit::x86::eax);
             }
         }
-        value(id).place = place;
-        saved_.push_back({id, place});
+        value(id).offset = offset;
+        saved_.push_back({id, offset});
     }
 }
 
@@ -128,9 +128,9 @@ void Lowering::save_registers(const RegisterFile& registers) {
             continue;
         }
         if (!is_in_memory(id)) {
-            value(id).place = scratch_.take(target_.bytes(kind));
+            value(id).offset = scratch_.take(target_.bytes(kind));
             encoder_.store(kind, memory_of(id), reg);
-            saved_.push_back({id, value(id).place});
+            saved_.push_back({id, value(id).offset});
         }
         file(kind).set_next_use(reg, next_use(id));
     }
@@ -143,16 +143,16 @@ void Lowering::store_results(const Region& region, const std::vector<Id>& merges
         if (is_needed(merges[i])) {
             const Value& merged = value(merges[i]);
             const int reg = in_register(result);
-            int place = merged.place;
+            int offset = merged.offset;
             if (merged.reg >= 0) {
-                place = scratch_.take(target_.bytes(merged.kind));
-                results_.push_back({merges[i], place});
+                offset = scratch_.take(target_.bytes(merged.kind));
+                results_.push_back({merges[i], offset});
             }
-            encoder_.store(merged.kind, scratch_at(place), reg);
+            encoder_.store(merged.kind, scratch_at(offset), reg);
         }
         consume(result);
     }
-    give_back_places();
+    release_dead_scratch();
 }
 
 void Lowering::restore_registers(RegisterFile& registers, const RegisterFile& before) {

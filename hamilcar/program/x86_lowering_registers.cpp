@@ -1,4 +1,4 @@
-// Which value is in which register, and what leaves when there is none.
+// Register allocation: which value is in which register, and which is evicted.
 #if defined(__x86_64__)
 
 #include <algorithm>
@@ -19,7 +19,7 @@ int Lowering::in_register(Id id) {
 }
 
 // A register where the value is in one or must be, else memory: a load within an instruction costs next to nothing, and to
-// load what is needed again soon into a register was no faster (more instructions, and something else leaves for it).
+// load what is needed again soon into a register was no faster (more instructions, and another value is evicted for it).
 asmjit::Operand Lowering::operand(Id id, Op op, Kind kind) {
     const Value& found = value(id);
     const bool must = graph_.node(id).op == Op::truth || !takes_memory(target_, op, kind);
@@ -44,7 +44,7 @@ int Lowering::result_register(Kind kind, int preferred) {
 void Lowering::evict(RegisterFile& registers, int reg) {
     const Id id = registers.occupant(reg);
     if (!is_in_memory(id)) {
-        value(id).place = scratch_.take(target_.bytes(value(id).kind));
+        value(id).offset = scratch_.take(target_.bytes(value(id).kind));
         encoder_.store(value(id).kind, memory_of(id), reg);
         ++report_.spills;
     }
@@ -73,7 +73,7 @@ Lowering::Mem Lowering::memory_of(Id id) {
     const Node& node = graph_.node(id);
     Value& found = value(id);
     if (node.op == Op::input) return array_at(node.a, node.b * target_.lanes() * target_.number_bytes());
-    if (node.op != Op::constant) return scratch_at(found.place);
+    if (node.op != Op::constant) return scratch_at(found.offset);
     if (found.constant < 0) {
         found.constant = static_cast<int>(constant_operands_.size());
         constant_operands_.push_back(encoder_.constants().numbers(graph_.constants(node), found.kind));
@@ -81,7 +81,7 @@ Lowering::Mem Lowering::memory_of(Id id) {
     return constant_operands_[static_cast<std::size_t>(found.constant)];
 }
 
-// One use is behind. In a body the values of the main line stay: what follows it expects them where they were.
+// After one use. In a body the values of the main line stay: the code after it expects them where they were.
 void Lowering::consume(Id id) {
     uses_.consume(id, in_body_);
     if (uses_.is_dead(id) && (!in_body_ || is_of_body(id))) {
@@ -94,13 +94,13 @@ void Lowering::consume(Id id) {
 void Lowering::release(Id id) {
     Value& dead = value(id);
     if (dead.reg >= 0) file(dead.kind).release(dead.reg);
-    if (dead.place >= 0) dead_places_.push_back({id, dead.place});
-    dead.reg = dead.place = -1;
+    if (dead.offset >= 0) dead_scratch_.push_back({id, dead.offset});
+    dead.reg = dead.offset = -1;
 }
 
-void Lowering::give_back_places() {
-    for (const Saved& dead : dead_places_) scratch_.give_back(dead.place, target_.bytes(value(dead.id).kind));
-    dead_places_.clear();
+void Lowering::release_dead_scratch() {
+    for (const Saved& dead : dead_scratch_) scratch_.release(dead.offset, target_.bytes(value(dead.id).kind));
+    dead_scratch_.clear();
 }
 
 }  // namespace hamilcar::program::x86

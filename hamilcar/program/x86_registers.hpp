@@ -1,4 +1,4 @@
-// The registers of one kind, vectors or masks: who is where, and who is needed farthest ahead.
+// The registers of one kind, vectors or masks: which values they hold, and whose next use is farthest.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ public:
         next_uses_[static_cast<std::size_t>(reg)] = -1;
     }
     void set_next_use(int reg, int next_use) { next_uses_[static_cast<std::size_t>(reg)] = next_use; }
-    // A call has changed them all.
+    // After a call, which may have changed them all.
     void overwrite_all() { overwritten_ = ~0u; }
 
     // Belady's rule: what is needed farthest ahead is evicted. Registers that are not of this file have -1, as free ones.

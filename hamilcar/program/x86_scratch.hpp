@@ -1,4 +1,4 @@
-// Places on the stack for spilled values, used again as soon as a value is dead.
+// Stack slots for spilled values, reused as soon as a value is dead.
 #pragma once
 
 #include <array>
@@ -9,20 +9,20 @@ namespace hamilcar::program::x86 {
 
 class Scratch {
 public:
-    // `bytes` is a power of two; the place is aligned to as much.
+    // `bytes` is a power of two; the offset is aligned to it.
     int take(int bytes) {
         std::vector<int>& free = free_of(bytes);
         if (free.empty()) return block(bytes, bytes);
-        const int place = free.back();
+        const int offset = free.back();
         free.pop_back();
-        return place;
+        return offset;
     }
-    void give_back(int place, int bytes) { free_of(bytes).push_back(place); }
-    // Never used again as a whole; its parts may be given back.
+    void release(int offset, int bytes) { free_of(bytes).push_back(offset); }
+    // Never reused as a whole; its parts may be released.
     int block(int bytes, int alignment) {
-        const int place = (size_ + alignment - 1) / alignment * alignment;
-        size_ = place + bytes;
-        return place;
+        const int offset = (size_ + alignment - 1) / alignment * alignment;
+        size_ = offset + bytes;
+        return offset;
     }
     int size() const { return size_; }
 

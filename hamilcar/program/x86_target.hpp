@@ -1,4 +1,4 @@
-// What x86-64 code is made for: the instruction set, the precision, and whether the lanes of a register are cars or the
+// The target of x86-64 code: the instruction set, the precision, and whether the lanes of a register are cars or the
 // numbers of one car; and from that, what kind of register a value lives in.
 #pragma once
 
@@ -38,7 +38,7 @@ struct Target {
         const Kind kind = kind_of_numbers(width);
         return kind == Kind::scalar ? Kind::xmm : kind;
     }
-    // In memory.
+    // Size in memory.
     int bytes(Kind kind) const {
         switch (kind) {
             case Kind::scalar: return number_bytes();

@@ -1,7 +1,7 @@
-// Where every value is needed next: the straight list read once, before registers are given out.
+// The next use of every value: the list is read once, before registers are allocated.
 //
-// The main line and the bodies of regions have lists of their own. Bodies run rarely, so that their uses must not hold a
-// register on the main line; but a value lives until both lists are at their end.
+// The main line and the bodies of regions have lists of their own. Bodies run rarely, so their uses should not keep a
+// register on the main line occupied; but a value lives until both lists have ended.
 #pragma once
 
 #include <vector>
@@ -32,7 +32,7 @@ public:
     int next_but_one(Id id, bool in_body) const { return lists_[in_body].next(id, 1); }
     void consume(Id id, bool in_body) { ++lists_[in_body].cursors[static_cast<std::size_t>(id)]; }
     bool is_dead(Id id) const { return next(id, false) == never && next(id, true) == never; }
-    // Nothing needs it any more but, at most, the body of this region.
+    // Not needed any more except, at most, by the body of this region.
     bool is_for_body_alone(Id id, int region) const {
         return next(id, false) == never && last_regions_[static_cast<std::size_t>(id)] <= region;
     }

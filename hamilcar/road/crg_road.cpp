@@ -1,5 +1,4 @@
-// What happens to a road once: the reference line and its elevation are summed up, missing heights filled in, and the
-// search prepared.
+// Preparation of a road: integrates the reference line and its elevation, fills in missing heights, and builds the search.
 #include "hamilcar/road/crg_road.hpp"
 
 #include <algorithm>
@@ -12,8 +11,8 @@ namespace hamilcar {
 
 namespace {
 
-void demand(bool good, const char* what) {
-    if (!good) throw std::invalid_argument(std::string("an OpenCRG road needs ") + what);
+void require(bool condition, const char* what) {
+    if (!condition) throw std::invalid_argument(std::string("an OpenCRG road needs ") + what);
 }
 
 bool all_finite(const std::vector<double>& numbers) {
@@ -22,25 +21,25 @@ bool all_finite(const std::vector<double>& numbers) {
 
 void check(const CrgDescription& d) {
     const std::size_t rows = d.rows(), columns = d.columns();
-    demand(columns >= 2 && rows >= 2 && rows * columns == d.heights.size(),
-           "two rows and two columns of heights at least");
-    demand(d.u_increment > 0 && std::isfinite(d.u_start) && std::isfinite(d.u_end()), "rows that rise in u");
-    demand(d.headings.empty() || d.headings.size() == rows - 1, "a heading per segment, or one for all");
-    demand(d.slopes.empty() || d.slopes.size() == rows - 1, "a slope per segment, or one for all");
-    demand(d.bankings.empty() || d.bankings.size() == rows, "a banking per row, or one for all");
-    demand(d.end_x.has_value() == d.end_y.has_value(), "both coordinates of the line's end, or none");
-    demand(all_finite(d.headings) && all_finite(d.slopes) && all_finite(d.bankings) && all_finite(d.v) &&
-               all_finite({d.x, d.y, d.z, d.phi, d.slope, d.banking, d.end_x.value_or(0), d.end_y.value_or(0),
-                           d.end_z.value_or(0), d.border_offset_u, d.border_offset_v, d.smooth_start, d.smooth_end,
-                           d.missing_offset}),
-           "finite numbers");
-    demand(std::none_of(d.heights.begin(), d.heights.end(), [](double z) { return std::isinf(z); }), "finite heights");
-    for (std::size_t j = 1; j < columns; ++j) demand(d.v[j] > d.v[j - 1], "sections that rise in v");
+    require(columns >= 2 && rows >= 2 && rows * columns == d.heights.size(),
+            "at least two rows and two columns of heights");
+    require(d.u_increment > 0 && std::isfinite(d.u_start) && std::isfinite(d.u_end()), "rows in increasing u");
+    require(d.headings.empty() || d.headings.size() == rows - 1, "a heading per segment, or one for all");
+    require(d.slopes.empty() || d.slopes.size() == rows - 1, "a slope per segment, or one for all");
+    require(d.bankings.empty() || d.bankings.size() == rows, "a banking per row, or one for all");
+    require(d.end_x.has_value() == d.end_y.has_value(), "both coordinates of the line's end, or neither");
+    require(all_finite(d.headings) && all_finite(d.slopes) && all_finite(d.bankings) && all_finite(d.v) &&
+                all_finite({d.x, d.y, d.z, d.phi, d.slope, d.banking, d.end_x.value_or(0), d.end_y.value_or(0),
+                            d.end_z.value_or(0), d.border_offset_u, d.border_offset_v, d.smooth_start, d.smooth_end,
+                            d.missing_offset}),
+            "finite numbers");
+    require(std::none_of(d.heights.begin(), d.heights.end(), [](double z) { return std::isinf(z); }), "finite heights");
+    for (std::size_t j = 1; j < columns; ++j) require(d.v[j] > d.v[j - 1], "columns in increasing v");
 }
 
-// Sums steps up from the start. A known end is met by summing down from it as well and passing over from one sum to the
-// other, with OpenCRG's weights: a sample's number over the last one's.
-std::vector<double> summed(const std::vector<double>& steps, double start, const std::optional<double>& end) {
+// Cumulative sum of the steps from the start. A known end is met by also summing backward from it and blending the two sums with
+// OpenCRG's weights: a sample's index over the last index.
+std::vector<double> cumulative(const std::vector<double>& steps, double start, const std::optional<double>& end) {
     const std::size_t last = steps.size();
     std::vector<double> sum(last + 1, start);
     if (end) sum[last] = *end;
@@ -60,25 +59,25 @@ std::vector<CrgPoint> reference_line(const CrgDescription& d) {
         dy[i] = d.u_increment * std::sin(d.headings[i]);
     }
     const bool curved = !d.headings.empty();
-    const std::vector<double> x = summed(dx, d.x, curved ? d.end_x : std::nullopt);
-    const std::vector<double> y = summed(dy, d.y, curved ? d.end_y : std::nullopt);
+    const std::vector<double> x = cumulative(dx, d.x, curved ? d.end_x : std::nullopt);
+    const std::vector<double> y = cumulative(dy, d.y, curved ? d.end_y : std::nullopt);
     std::vector<CrgPoint> line(segments + 1);
     for (std::size_t i = 0; i < line.size(); ++i) line[i] = {x[i], y[i]};
     double ex = 0, ey = 0;
-    for (std::size_t i = 0; i < segments; ++i) {  // else its cross sections would not stand in a row
+    for (std::size_t i = 0; i < segments; ++i) {  // otherwise its cross sections would not be in order
         const double fx = line[i + 1].x - line[i].x, fy = line[i + 1].y - line[i].y;
-        demand(fx * fx + fy * fy > 0 && (i == 0 || ex * fx + ey * fy > 0),
-               "a line that never turns by a right angle at once");
+        require(fx * fx + fy * fy > 0 && (i == 0 || ex * fx + ey * fy > 0),
+                "a line that turns by less than a right angle between segments");
         ex = fx, ey = fy;
     }
     return line;
 }
 
-// What stands for the missing heights of one cross section.
+// Replaces the missing heights of one cross section.
 void fill_row(double* row, std::size_t columns, CrgMissing missing, double offset) {
     double last = std::numeric_limits<double>::quiet_NaN();
     if (missing == CrgMissing::keep)
-        for (std::size_t j = columns; j-- > 0;)  // ends at the rightmost present one
+        for (std::size_t j = columns; j-- > 0;)  // ends at the rightmost valid height
             if (!std::isnan(row[j])) last = row[j];
     for (std::size_t j = 0; j < columns; ++j) {
         if (!std::isnan(row[j]))
@@ -101,7 +100,7 @@ CrgRoad::CrgRoad(const CrgDescription& d) : v_(d.v), heights_(d.heights) {
     line_ = reference_line(d);
     std::vector<double> rises(segments, d.u_increment * d.slope);
     for (std::size_t i = 0; i < d.slopes.size(); ++i) rises[i] = d.u_increment * d.slopes[i];
-    elevation_ = summed(rises, d.z, d.slopes.empty() ? std::nullopt : d.end_z);
+    elevation_ = cumulative(rises, d.z, d.slopes.empty() ? std::nullopt : d.end_z);
     banking_ = d.bankings.empty() ? std::vector<double>(rows, d.banking) : d.bankings;
 
     if (std::any_of(heights_.begin(), heights_.end(), [](double z) { return std::isnan(z); })) {
@@ -111,34 +110,34 @@ CrgRoad::CrgRoad(const CrgDescription& d) : v_(d.v), heights_(d.heights) {
     }
 
     for (std::size_t j = 0; j + 1 < columns; ++j) per_gap_.push_back(1 / (v_[j + 1] - v_[j]));
-    column_guess_.resize(2 * columns);  // for uniform sections it is right or one short
+    column_guess_.resize(2 * columns);  // exact or one too low for uniform columns
     per_guess_ = static_cast<double>(column_guess_.size()) / (v_.back() - v_.front());
     for (std::size_t k = 0, j = 0; k < column_guess_.size(); ++k) {
         while (j + 2 < columns && v_.front() + static_cast<double>(k) / per_guess_ >= v_[j + 1]) ++j;
         column_guess_[k] = static_cast<std::uint32_t>(j);
     }
 
-    constexpr double stretch = 4;  // [m]
-    constexpr std::size_t most_stretches = 1 << 16;
-    const double wanted = std::floor(std::min(stretch * per_increment_, 1e9));
+    constexpr double stretch_length = 4;  // [m]
+    constexpr std::size_t max_stretches = 1 << 16;
+    const double wanted = std::floor(std::min(stretch_length * per_increment_, 1e9));
     samples_ =
-        std::max({std::size_t{1}, static_cast<std::size_t>(wanted), (segments + most_stretches - 1) / most_stretches});
-    constexpr double margin = 8;  // beyond the grid [m]: a wheel just off the road is still found by its cell
+        std::max({std::size_t{1}, static_cast<std::size_t>(wanted), (segments + max_stretches - 1) / max_stretches});
+    constexpr double margin = 8;  // beyond the grid [m], so that a wheel just off the road is still found by its cell
     search_ = CrgSearch(line_, samples_, std::max({0.0, -v_.front(), v_.back()}) + margin);
 }
 
 bool CrgRoad::covers(double x, double y) const {
     if (line_.empty()) return false;
-    const Place<double> place = uv_of(x, y);
+    const Position<double> position = uv_of(x, y);
     const auto inside = [](double t, double low, double high) {
         return t >= low - border_tolerance && t <= high + border_tolerance;
     };
-    if (!inside(place.u, u_start_, u_end_) || !inside(place.v, v_.front(), v_.back())) return false;
+    if (!inside(position.u, u_start_, u_end_) || !inside(position.v, v_.front(), v_.back())) return false;
     if (missing_.empty()) return true;
-    const double rows = (place.u - u_start_) * per_increment_;
-    const std::size_t i = index_of(rows, line_.size() - 2), j = column_of(place.v), k = i * v_.size() + j;
-    const double a = rows - static_cast<double>(i), b = (place.v - v_[j]) * per_gap_[j];
-    const auto counts = [](double weight) { return weight > 1e-9; };  // in the interpolation
+    const double rows = (position.u - u_start_) * per_increment_;
+    const std::size_t i = index_of(rows, line_.size() - 2), j = column_of(position.v), k = i * v_.size() + j;
+    const double a = rows - static_cast<double>(i), b = (position.v - v_[j]) * per_gap_[j];
+    const auto counts = [](double weight) { return weight > 1e-9; };  // contributes to the interpolation
     const bool here = counts(1 - a), next = counts(a), right = counts(1 - b), left = counts(b);
     return !((here && right && missing_[k]) || (here && left && missing_[k + 1]) ||
              (next && right && missing_[k + v_.size()]) || (next && left && missing_[k + v_.size() + 1]));

@@ -1,6 +1,6 @@
-// The height of a road given as an OpenCRG grid. A point of the ground becomes u, v by OpenCRG's bisectors: the cross
-// section at a sample of the reference line halves the angle of its two segments, and between two cross sections u
-// grows in proportion along the parallel to the segment. Heights are bilinear in u and v. Sources: the ASAM OpenCRG 1.2
+// The height of a road given as an OpenCRG grid. A point of the ground is converted to u, v by OpenCRG's bisectors: the
+// cross section at a sample of the reference line bisects the angle of its two segments, and between two cross sections u
+// is proportional to the distance along the parallel to the segment. Heights are bilinear in u and v. Sources: the ASAM OpenCRG 1.2
 // specification and its reference implementation (crgEvalxy2uv.c, crgEvaluv2xy.c, crgEvalz.c).
 #pragma once
 
@@ -15,13 +15,12 @@
 
 namespace hamilcar {
 
-// A point has a height wherever it is: beyond the grid it is that of the border modes, with `none` the height zero. A
-// height missing inside the grid is filled in as the description says, with `none` by zero, upon which the reference
-// line's elevation and banking still count. `covers` tells what is the file's own. A road that was never given anything
-// is flat.
+// Every point has a height: beyond the grid it follows the border modes, zero for `none`. A missing height inside the grid is
+// replaced as the description specifies, by zero for `none`; the reference line's elevation and banking are added to it.
+// `covers` tells whether a height comes from the file. A default-constructed road is flat.
 struct CrgRoad {
     template <class N>
-    struct Place {
+    struct Position {
         N u, v;  // [m]
     };
 
@@ -33,28 +32,28 @@ struct CrgRoad {
     template <class N>
     N height(const N& x, const N& y) const {
         if (line_.empty()) return N(0);
-        const Place<N> place = uv_of(x, y);
-        return height_uv(place.u, place.v);
+        const Position<N> position = uv_of(x, y);
+        return height_uv(position.u, position.v);
     }
-    // Slope, bank and what lies beside the rows have no bound [m].
-    static double highest() { return std::numeric_limits<double>::infinity(); }
+    // Slope, banking and border offsets have no bound [m].
+    static double max_height() { return std::numeric_limits<double>::infinity(); }
 
-    // Whether the height there comes from the grid alone, neither from a border nor in place of a missing one.
+    // Whether the height there comes from the grid alone, neither from a border mode nor from a replaced missing height.
     bool covers(double x, double y) const;
 
-    // Ground point to u, v and back; beyond the ends straight on. The road must have been given a description.
+    // Ground point to u, v and back; straight extensions beyond the ends. Not for a default-constructed road.
     template <class N>
-    Place<N> uv_of(const N& x, const N& y) const;
+    Position<N> uv_of(const N& x, const N& y) const;
     CrgPoint xy_of(double u, double v) const;
 
     template <class N>
     N height_uv(N u, N v) const;
 
 private:
-    // Farther out than this is beyond the grid [m]: what round-off does to a point on the edge is not.
+    // Tolerance of the grid's edges [m]: round-off does not move a point off the grid.
     static constexpr double border_tolerance = 1e-8;
 
-    // The segment between two samples, and where along the road a point lies: before it (-1), after it (1), on it (0).
+    // The segment between two samples, and whether a point lies before the road (-1), after it (1) or on it (0).
     struct Segment {
         std::size_t first;
         int side;
@@ -73,7 +72,7 @@ private:
     }
 
     static double floor_of(double x) {
-        constexpr double exact = 4e15;  // beyond it a double has no fraction
+        constexpr double exact = 4e15;  // larger doubles are integers
         if (!(x > -exact && x < exact)) return x;
         const auto whole = static_cast<double>(static_cast<std::int64_t>(x));
         return x < whole ? whole - 1 : whole;
@@ -96,7 +95,7 @@ private:
     std::vector<double> elevation_, banking_;  // of the reference line, per row [m], [1]
     std::vector<double> v_, per_gap_;          // [m], [1/m]
     std::vector<double> heights_;
-    std::vector<std::uint8_t> missing_;  // per height; empty if none is
+    std::vector<std::uint8_t> missing_;  // per height; empty if none is missing
     std::vector<std::uint32_t> column_guess_;
     double per_guess_ = 0;  // [1/m]
     double u_start_ = 0, u_end_ = 0, u_increment_ = 1, per_increment_ = 1;
@@ -106,7 +105,7 @@ private:
     CrgSearch search_;
 };
 
-// From the nearest stretch outward until the point lies between two cross sections, then inward.
+// Expands from the nearest stretch until the point lies between two cross sections, then bisects.
 inline CrgRoad::Segment CrgRoad::segment_of(double x, double y) const {
     const std::size_t last = line_.size() - 1;
     std::size_t low = search_.nearest(x, y) * samples_, high = low + samples_ < last ? low + samples_ : last;
@@ -123,7 +122,7 @@ inline CrgRoad::Segment CrgRoad::segment_of(double x, double y) const {
         high += last - high < step ? last - high : step;
         at_high = ahead(x, y, high);
     }
-    // By turns where a straight line would cross zero, which is nearly right, and at the half, which is sure to end.
+    // Alternates regula falsi, which is nearly exact, with bisection, which guarantees convergence.
     for (bool guess = true; high - low > 1; guess = !guess) {
         const double part = guess ? at_low / (at_low - at_high) : 0.5;
         const std::size_t inner = index_of(static_cast<double>(high - low - 1) * part, high - low - 2);
@@ -138,7 +137,7 @@ inline CrgRoad::Segment CrgRoad::segment_of(double x, double y) const {
 }
 
 template <class N>
-CrgRoad::Place<N> CrgRoad::uv_of(const N& x, const N& y) const {
+CrgRoad::Position<N> CrgRoad::uv_of(const N& x, const N& y) const {
     const Segment segment = segment_of(value_of(x), value_of(y));
     const std::size_t i = segment.first;
     const CrgPoint &from = line_[i], &to = line_[i + 1];
@@ -152,14 +151,14 @@ CrgRoad::Place<N> CrgRoad::uv_of(const N& x, const N& y) const {
     const N behind = (px * N(n.x) + py * N(n.y)) * N(1 / (n.x * ex + n.y * ey));
     const N before = (qx * N(m.x) + qy * N(m.y)) * N(1 / (m.x * ex + m.y * ey));
     const N sum = behind + before;
-    // Inside a bend beyond its center the cross sections have met: no place is the right one there.
+    // Beyond the center of a bend the cross sections intersect, and u is not unique.
     N part = value_of(sum) > 1e-9 ? behind / sum : N(0.5);
     if (value_of(part) < -1e-9) part = N(0);
     if (value_of(part) > 1 + 1e-9) part = N(1);
     return {N(u_start_) + (N(static_cast<double>(i)) + part) * N(u_increment_), v};
 }
 
-// Whether t was beyond the grid and is now on its edge; a grid that goes on is nowhere beyond.
+// Whether t was beyond the grid and has been moved to its edge; never for repeating and reflecting borders.
 template <class N>
 bool CrgRoad::bring_inside(N& t, double low, double high, CrgBorder border) {
     const double value = value_of(t);

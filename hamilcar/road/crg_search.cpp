@@ -1,4 +1,4 @@
-// The tree is grown first, since it is what tells which stretches each cell has to know.
+// The tree is built first, since it determines which stretches each cell has to store.
 #include "hamilcar/road/crg_search.hpp"
 
 #include <algorithm>
@@ -13,9 +13,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-CrgSearch::CrgSearch(const std::vector<CrgPoint>& line, std::size_t samples, double reach) {
-    grow_tree(line, samples);
-    const CellNumbers numbers = cells_within(reach);
+CrgSearch::CrgSearch(const std::vector<CrgPoint>& line, std::size_t samples, double margin) {
+    build_tree(line, samples);
+    const CellNumbers numbers = cells_within(margin);
     std::vector<Cell> found;
     for (const auto& [x, y] : numbers) {
         const auto first = static_cast<std::uint32_t>(near_.size());
@@ -31,7 +31,7 @@ CrgSearch::CrgSearch(const std::vector<CrgPoint>& line, std::size_t samples, dou
     }
 }
 
-void CrgSearch::grow_tree(const std::vector<CrgPoint>& line, std::size_t samples) {
+void CrgSearch::build_tree(const std::vector<CrgPoint>& line, std::size_t samples) {
     const std::size_t last = line.size() - 1;
     for (std::size_t i = 0; i < last; i += samples) {
         const CrgPoint &from = line[i], &to = line[std::min(i + samples, last)];
@@ -52,46 +52,47 @@ void CrgSearch::grow_tree(const std::vector<CrgPoint>& line, std::size_t samples
     }
 }
 
-// The numbers of the cells that the surroundings of any stretch touch. Edges of 8 m, more where those would be too many
-// or too far out to be counted.
-CrgSearch::CellNumbers CrgSearch::cells_within(double reach) {
-    constexpr double most_cells = 1 << 20, farthest = 5e8;
+// The indices of the cells within `margin` of any stretch. Edges of 8 m, doubled until the number of cells and their indices
+// are within bounds.
+CrgSearch::CellNumbers CrgSearch::cells_within(double margin) {
+    constexpr double max_cells = 1 << 20, max_number = 5e8;
     const std::size_t leaves = boxes_.size() / 2;
     const auto numbers = [&](double edge) {
         double sum = 0;
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
             const Box& b = boxes_[leaves + i];
-            sum += ((b.x_high - b.x_low + 2 * reach) / edge + 2) * ((b.y_high - b.y_low + 2 * reach) / edge + 2);
+            sum += ((b.x_high - b.x_low + 2 * margin) / edge + 2) * ((b.y_high - b.y_low + 2 * margin) / edge + 2);
         }
         return sum;
     };
     const Box& all = boxes_[1];
-    const double extent = reach + std::max(std::max(-all.x_low, all.x_high), std::max(-all.y_low, all.y_high));
+    const double extent = margin + std::max(std::max(-all.x_low, all.x_high), std::max(-all.y_low, all.y_high));
     double edge = 8;
-    while (extent / edge > farthest || numbers(edge) > most_cells) edge *= 2;
+    while (extent / edge > max_number || numbers(edge) > max_cells) edge *= 2;
     per_edge_ = 1 / edge;
 
     CellNumbers cells;
     for (std::size_t i = 0; i < stretches_.size(); ++i) {
         const Box& b = boxes_[leaves + i];
         const auto number = [&](double x) { return static_cast<std::int32_t>(std::floor(x / edge)); };
-        for (std::int32_t x = number(b.x_low - reach); x <= number(b.x_high + reach); ++x)
-            for (std::int32_t y = number(b.y_low - reach); y <= number(b.y_high + reach); ++y) cells.push_back({x, y});
+        for (std::int32_t x = number(b.x_low - margin); x <= number(b.x_high + margin); ++x)
+            for (std::int32_t y = number(b.y_low - margin); y <= number(b.y_high + margin); ++y)
+                cells.push_back({x, y});
     }
     std::sort(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     return cells;
 }
 
-// Adds to `near_` the stretches that may be the nearest to a point of a cell: those not farther from its center than
-// the nearest to the center by more than the diagonal. Returns how many, 0 if they are too many to be worth a list.
+// Adds to `near_` the stretches that may be the nearest to a point of a cell: those whose distance from its center exceeds the
+// smallest one by at most the diagonal. Returns their number, or 0 if they are too many for a list.
 std::uint32_t CrgSearch::list_nearest(double x, double y, double diagonal) {
-    constexpr std::size_t most = 32;
+    constexpr std::size_t max_count = 32;
     const double least = std::sqrt(squared_distance(stretches_[nearest_of_all(x, y)], x, y));
     const double square = (least + diagonal) * (least + diagonal);
     const std::size_t leaves = boxes_.size() / 2, first = near_.size();
     std::vector<std::size_t> open{1};
-    while (!open.empty() && near_.size() - first <= most) {
+    while (!open.empty() && near_.size() - first <= max_count) {
         const std::size_t node = open.back();
         open.pop_back();
         if (!(squared_distance(boxes_[node], x, y) <= square)) continue;
@@ -102,7 +103,7 @@ std::uint32_t CrgSearch::list_nearest(double x, double y, double diagonal) {
             near_.push_back(static_cast<std::uint32_t>(node - leaves));
         }
     }
-    if (near_.size() - first > most) near_.resize(first);
+    if (near_.size() - first > max_count) near_.resize(first);
     return static_cast<std::uint32_t>(near_.size() - first);
 }
 

@@ -1,6 +1,6 @@
-// Which stretch of the reference line is the nearest to a point. The plane around the road is cut in square cells, and
-// a cell knows the few stretches that are nearest to one of its points; where there is no cell, far from the road or
-// where the line lies in heaps, a tree of boxes answers, so that no question walks along the whole road.
+// Finds the stretch of the reference line that is nearest to a point. The plane around the road is divided into square cells,
+// each with a list of the few stretches that may be nearest to one of its points. Without a cell, far from the road or where
+// many stretches crowd, a tree of boxes is searched, so that no query visits the whole road.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@ struct CrgPoint {
 class CrgSearch {
 public:
     CrgSearch() = default;
-    // Stretches of `samples` segments each; cells as far as `reach` from the line [m].
-    CrgSearch(const std::vector<CrgPoint>& line, std::size_t samples, double reach);
+    // Stretches of `samples` segments each; cells within `margin` of the line [m].
+    CrgSearch(const std::vector<CrgPoint>& line, std::size_t samples, double margin);
 
     std::size_t nearest(double x, double y) const {
         const Cell* cell = find(x * per_edge_, y * per_edge_);
@@ -45,7 +45,7 @@ private:
     };
     struct Cell {
         std::int32_t x, y;
-        std::uint32_t first, count;  // in `near_`; no count: a free slot
+        std::uint32_t first, count;  // in `near_`; count 0: a free slot
     };
 
     static double outside(double x, double low, double high) { return x < low ? low - x : x > high ? x - high : 0; }
@@ -67,7 +67,7 @@ private:
         return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15U) >> 32) & (cells_.size() - 1);
     }
 
-    // The cell that holds a point given in edges; none beyond what a cell's numbers can say, NaN among it.
+    // The cell that contains a point in units of edges; null out of the range of cell indices, and for NaN.
     const Cell* find(double x, double y) const {
         constexpr double limit = 1e9;
         if (cells_.empty() || !(x > -limit && x < limit && y > -limit && y < limit)) return nullptr;
@@ -78,7 +78,7 @@ private:
     }
 
     std::size_t nearest_of_all(double x, double y) const {
-        std::array<std::size_t, 64> open;  // a node per level at most, and the level below the root's
+        std::array<std::size_t, 64> open;  // at most one node per level, plus one
         std::size_t count = 0, best = 0;
         double least = std::numeric_limits<double>::infinity();
         const std::size_t leaves = boxes_.size() / 2;
@@ -99,13 +99,13 @@ private:
         return best;
     }
 
-    void grow_tree(const std::vector<CrgPoint>& line, std::size_t samples);
+    void build_tree(const std::vector<CrgPoint>& line, std::size_t samples);
     using CellNumbers = std::vector<std::array<std::int32_t, 2>>;
-    CellNumbers cells_within(double reach);
+    CellNumbers cells_within(double margin);
     std::uint32_t list_nearest(double x, double y, double diagonal);
 
     std::vector<Stretch> stretches_;
-    std::vector<Box> boxes_;           // a heap, node 1 the root, the second half the stretches' own
+    std::vector<Box> boxes_;           // a heap with root 1; the second half are the stretches' boxes
     std::vector<Cell> cells_;          // open addressing, a power of two with free slots
     std::vector<std::uint32_t> near_;  // stretches, cell by cell
     double per_edge_ = 0;              // [1/m]

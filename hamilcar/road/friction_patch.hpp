@@ -1,4 +1,4 @@
-// Ice, water, sand, one side of a split road: a rectangle in which a factor on the tire's friction holds.
+// Ice, water, sand, one side of a split-mu road: a rectangle with a factor on the tire's friction.
 #pragma once
 
 #include "hamilcar/road/obstacle.hpp"
@@ -13,7 +13,7 @@ struct FrictionPatch {
     explicit FrictionPatch(const FrictionPatchDescription& d)
         : along(d.start, d.end, d.ramp), across(d.right, d.left, d.ramp), friction(d.friction) {}
 
-    // How much of the patch there is: 1 within, 0 outside.
+    // 1 within the patch, 0 outside.
     template <class N>
     N weight(const N& x, const N& y) const {
         return along.weight(x) * across.weight(y);

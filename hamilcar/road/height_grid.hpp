@@ -1,6 +1,5 @@
-// A measured surface: heights at the nodes of a grid and cubics between them (Catmull and Rom's, along x and along
-// y), so that nodes are met and slopes are continuous. At the edges the slope across is zero: there the outside goes
-// on level.
+// A measured surface: heights at the nodes of a grid with Catmull-Rom cubics between them along x and y, which interpolate the
+// nodes with continuous slopes. The slope normal to an edge is zero there, and the surface continues level outside.
 #pragma once
 
 #include <algorithm>
@@ -43,11 +42,11 @@ struct HeightGrid {
         }
         return sum;
     }
-    // No height is above it [m]: between nodes a cubic overshoots by no more than a quarter along x, and again along y.
-    double highest() const {
-        double most = 0;
-        for (const double node : heights) most = std::max(most, std::abs(node));
-        return 1.25 * 1.25 * most;
+    // Upper bound on all heights [m]: between nodes a cubic overshoots by at most a quarter along x, and again along y.
+    double max_height() const {
+        double max_node = 0;
+        for (const double node : heights) max_node = std::max(max_node, std::abs(node));
+        return 1.25 * 1.25 * max_node;
     }
 
 private:
@@ -57,7 +56,7 @@ private:
         std::array<N, 4> weight;
     };
 
-    // The nodes around a position counted in nodes, mirrored at the edges: that is what levels the surface there.
+    // The nodes around a position in node units, mirrored at the edges, which makes the surface level there.
     template <class N>
     static Stencil<N> stencil(const N& position, std::size_t count) {
         const double at = value_of(position), end = static_cast<double>(count - 1);

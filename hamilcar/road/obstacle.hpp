@@ -1,5 +1,5 @@
-// Cleats, steps, potholes and speed bumps: a height over a rectangle with raised cosines for ramps, one or a row of
-// them. Also the smooth step and the range with smooth edges, which the other elements of a road are limited by.
+// Cleats, steps, potholes and speed bumps: a height over a rectangle with raised-cosine ramps, single or repeated. Also the smooth
+// step and the range with smooth edges, which limit the other elements of a road.
 #pragma once
 
 #include <algorithm>
@@ -21,14 +21,14 @@ N smooth_step(const N& u) {
     return s * s;
 }
 
-// A range whose edges are ramps inside it. Ramps that would meet become as long as half the range.
+// A range with ramps inside its edges. A ramp is limited to half the range.
 struct SmoothRange {
     double from = -everywhere, to = everywhere;  // [m]
     double ramp = 1;                             // [m]
 
     SmoothRange() = default;
     SmoothRange(double first, double last, double edge)
-        : from(first), to(last), ramp(std::min(std::max(edge, shortest), (last - first) / 2)) {}
+        : from(first), to(last), ramp(std::min(std::max(edge, min_ramp), (last - first) / 2)) {}
 
     // 1 within, 0 outside.
     template <class N>
@@ -44,14 +44,14 @@ struct SmoothRange {
     bool is_whole(double position) const { return std::min(position - from, to - position) >= ramp; }
 
 private:
-    static constexpr double shortest = 1e-9;  // a sudden edge is a very steep one [m]
+    static constexpr double min_ramp = 1e-9;  // a sharp edge is a very steep ramp [m]
 };
 
 struct Obstacle {
     SmoothRange along, across;  // the first of the row
     double rise = 0;            // [m]
     double pitch = 0;           // from one to the next [m]
-    double last = 0;            // number of the last, from 0
+    double last = 0;            // index of the last
 
     Obstacle() = default;
     explicit Obstacle(const ObstacleDescription& d)
@@ -73,7 +73,7 @@ struct Obstacle {
         if (value_of(weight) == 0) return N(0);
         return weight * across.weight(y) * N(rise);
     }
-    double highest() const { return std::max(rise, 0.0); }  // [m]
+    double max_height() const { return std::max(rise, 0.0); }  // [m]
 };
 
 }  // namespace hamilcar

@@ -1,4 +1,4 @@
-// The patch under a wheel, and the plane that fits a surface best there. Heights are taken at five stations along the
+// The patch under a wheel, and the plane that best fits a surface there. Heights are taken at five stations along the
 // wheel's heading, on two lines side by side, weighted like a raised cosine:
 //
 //     mean = sum w h,   slope ahead = sum w a h / sum w a^2,   slope to the left = (left - right) / (2 b)
@@ -15,7 +15,7 @@
 
 namespace hamilcar {
 
-// Its shape, in radii of the wheel.
+// Shape of the patch, in wheel radii.
 struct Patch {
     static constexpr double half_length = 1.0 / 3, half_width = 0.25;
     static constexpr std::size_t count = 5;
@@ -24,17 +24,17 @@ struct Patch {
     static constexpr double second_moment = 2.0 / 12 * 1 + 6.0 / 12 * 0.25;  // sum of w a^2
 };
 
-// Where it is: all that a surface is asked.
+// Position and heading of a patch: the input of a surface query.
 template <class T>
-struct PatchPlace {
+struct PatchPose {
     T unit_x, unit_y;                                // of the origin of the wheel's unit [m]
-    T x, y, x_rate, y_rate;                          // of its middle, from there; absolute rates [m, m/s]
+    T x, y, x_rate, y_rate;                          // of its center, relative to that; absolute rates [m, m/s]
     T ahead_x, ahead_y, ahead_x_rate, ahead_y_rate;  // heading, a unit vector [1, 1/s]
     T radius;                                        // of the wheel [m]
-    T clearance;                                     // at least so far above the plane is all that asks [m]
+    T clearance;  // minimum height above the plane at which the surface can matter [m]
 
     static constexpr int count = 12;
-    // Calls f with each number, always in one order.
+    // Calls f with each number, in a fixed order.
     template <class Self, class F>
     static void for_each(Self&& self, F&& f) {
         f(self.unit_x), f(self.unit_y), f(self.x), f(self.y), f(self.x_rate), f(self.y_rate);
@@ -43,8 +43,8 @@ struct PatchPlace {
     }
 };
 
-// The plane over the middle, above that of the road, with the rates it has for the wheel. What is higher than the surface
-// ever gets is told of none: `found` is 0, and nothing else counts.
+// The fitted plane relative to the road's plane at the patch center, with its rates along the wheel's path. Above the maximum
+// height of the surface `found` is 0, and the other fields have no meaning.
 template <class T>
 struct PatchPlane {
     T height{0}, height_rate{0};  // [m, m/s]
@@ -61,7 +61,7 @@ struct PatchPlane {
     }
 };
 
-// What belongs to the right and what belongs to the left line.
+// A pair of values, for the right and the left line.
 template <class T>
 struct RightAndLeft {
     using type = Eigen::Array<T, 2, 1>;
@@ -82,7 +82,7 @@ struct PatchPoints {
 template <class T>
 class PatchLines {
 public:
-    explicit PatchLines(const PatchPlace<T>& at)
+    explicit PatchLines(const PatchPose<T>& at)
         : ahead_x_(length(at) * at.ahead_x),
           ahead_y_(length(at) * at.ahead_y),
           ahead_x_rate_(length(at) * at.ahead_x_rate),
@@ -101,7 +101,7 @@ public:
                 middle_.y_rate + a * ahead_y_rate_};
     }
 
-    // In other units: x from an origin on, counted by `per_x`, and y by `per_y`.
+    // In other units: x relative to an origin and times `per_x`, y times `per_y`.
     PatchLines scaled(const T& origin, const T& per_x, const T& per_y) const {
         PatchLines out = *this;
         out.middle_ = {(middle_.x - origin) * per_x, middle_.y * per_y, middle_.x_rate * per_x, middle_.y_rate * per_y};
@@ -117,13 +117,13 @@ public:
 
 private:
     using Both = typename RightAndLeft<T>::type;
-    static T length(const PatchPlace<T>& at) { return at.radius * T(Patch::half_length); }
+    static T length(const PatchPose<T>& at) { return at.radius * T(Patch::half_length); }
 
     PatchPoints<T> middle_;
-    T ahead_x_, ahead_y_, ahead_x_rate_, ahead_y_rate_;  // from there to the last station
+    T ahead_x_, ahead_y_, ahead_x_rate_, ahead_y_rate_;  // from the center to the last station
 };
 
-// Heights above the plane, summed up line by line, and how fast they change [m, m/s].
+// Weighted sums of heights above the plane and of their rates, per line [m, m/s].
 template <class T>
 struct PatchSums {
     using Both = typename RightAndLeft<T>::type;
@@ -134,7 +134,7 @@ struct PatchSums {
         mean += weight * height, mean_rate += weight * rate;
         ahead += arm * height, ahead_rate += arm * rate;
     }
-    // Those of an element of the surface, whatever it is.
+    // Adds any element of the surface.
     template <class Element>
     void add(std::size_t station, const Element& element, const PatchPoints<T>& points) {
         using N = Dual<T, 1>;  // value and rate

@@ -1,4 +1,4 @@
-// A plane road through the ground origin: flat, on a grade, on a bank.
+// A plane road through the ground origin: flat, graded or banked.
 #pragma once
 
 #include <tuple>
@@ -10,7 +10,7 @@ namespace hamilcar {
 
 // The road under a wheel: points x with normal.x = offset, in chassis axes.
 template <class T>
-struct RoadPlane {
+struct TangentPlane {
     Vec3<T> normal;  // unit, upward
     T offset;        // [m]
     T friction;      // factor on the tire's friction [1]
@@ -29,8 +29,8 @@ struct PlaneRoad {
         normal = {-grade * scale, -bank * scale, scale};
     }
 
-    // The plane as seen from a chassis at position r with orientation R_GC.
-    RoadPlane<T> seen_from(const Vec3<T>& r, const Mat3<T>& R_GC) const {
+    // The plane in the axes of a chassis at position r with orientation R_GC.
+    TangentPlane<T> seen_from(const Vec3<T>& r, const Mat3<T>& R_GC) const {
         return {R_GC.transpose() * normal, -normal.dot(r), friction};
     }
 };

@@ -1,6 +1,5 @@
-// The table of a random road: harmonics of its length, then one Fourier transform. Random numbers are Philox's,
-// counted by harmonic and keyed by seed, case and stream, so they do not depend on the machine or on the order of the
-// work.
+// The table of a random road: harmonics of its length, then one Fourier transform. Random numbers come from Philox, with the
+// harmonic as counter and seed, case and stream as key, so they do not depend on the machine or on the order of evaluation.
 #include "hamilcar/road/random_road.hpp"
 
 #include <Random123/philox.h>
@@ -18,14 +17,14 @@
 namespace hamilcar {
 namespace {
 
-constexpr double shortest_period = 1000;       // [m]: ten of the longest waves at least
-constexpr double widest_spacing = 0.1;         // [m]: three knots and a half on the shortest wave
-constexpr std::uint32_t purpose = 0x726f6164;  // tells these numbers from others of the same seed
+constexpr double min_period = 1000;            // [m]: at least ten of the longest waves
+constexpr double max_spacing = 0.1;            // [m]: three and a half knots per shortest wave
+constexpr std::uint32_t purpose = 0x726f6164;  // separates these numbers from others with the same seed
 
-// What chance has to say about one harmonic.
+// Random numbers of one harmonic.
 struct Draw {
     double phase;  // of c [rad]
-    double side;   // 1: d is a quarter wave before c, -1: behind it
+    double side;   // 1: d leads c by a quarter wave, -1: it lags
 };
 
 Draw draw(const RandomRoadDescription& d, std::uint32_t harmonic) {
@@ -49,18 +48,18 @@ RandomRoad::RandomRoad(const RandomRoadDescription& d)
     : along_(d.start, d.length > 0 ? d.start + d.length : everywhere, d.fade),
       per_meter_(1 / d.spacing),
       per_half_width_(2 / d.track_width) {
-    if (!(d.spacing > 0 && d.spacing <= widest_spacing)) throw std::invalid_argument("spacing of a road: 0 to 0.1 m");
+    if (!(d.spacing > 0 && d.spacing <= max_spacing)) throw std::invalid_argument("spacing of a road: 0 to 0.1 m");
     if (!(d.track_width > 0)) throw std::invalid_argument("the track width of a road is above zero");
     const double roughness = class_roughness(d.road_class);
     const std::size_t count =
-        std::bit_ceil(static_cast<std::size_t>(std::ceil(std::max(d.length, shortest_period) * per_meter_)));
+        std::bit_ceil(static_cast<std::size_t>(std::ceil(std::max(d.length, min_period) * per_meter_)));
     const double step = per_meter_ / static_cast<double>(count);  // from harmonic to harmonic [1/m]
 
     std::vector<std::complex<double>> table(count);  // c in the real parts, d in the imaginary ones
     for (auto k = static_cast<std::uint32_t>(std::ceil(lowest_frequency / step)); k * step <= highest_frequency; ++k) {
         const double n = k * step, relative = n / reference_frequency, gamma = coherence(n, d.track_width);
         const double amplitude = std::sqrt(2 * roughness / (relative * relative) * step);
-        // The spline weighs its coefficients 1/6, 4/6, 1/6 at a knot: what that takes from a harmonic is given back
+        // The spline weights its coefficients 1/6, 4/6, 1/6 at a knot; the attenuation of each harmonic is compensated
         // here.
         const auto at_knot = sincos(2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count));
         const double scale = amplitude * 3 / (2 + at_knot.cosine);
@@ -77,8 +76,8 @@ RandomRoad::RandomRoad(const RandomRoadDescription& d)
     pieces_.reserve(count);
     const auto knot = [&](std::size_t k) { return DoublePair{table[k % count].real(), table[k % count].imag()}; };
     for (std::size_t k = 0; k < count; ++k) {
-        // A B-spline stays between its coefficients, and s(y) within 1.5.
-        highest_ = std::max(highest_, std::abs(table[k].real()) + 1.5 * std::abs(table[k].imag()));
+        // A B-spline is bounded by its coefficients, and s(y) by 1.5.
+        max_height_ = std::max(max_height_, std::abs(table[k].real()) + 1.5 * std::abs(table[k].imag()));
         const DoublePair before = knot(k + count - 1), from = knot(k), to = knot(k + 1), behind = knot(k + 2);
         pieces_.push_back({(before + 4.0 * from + to) / 6.0, (to - before) / 2.0, (before + to) / 2.0 - from,
                            (behind - before) / 6.0 + (from - to) / 2.0});

@@ -1,11 +1,10 @@
-// A random road of an ISO 8608 class: two tracks side by side, made once as a table of harmonics with random phases
-// and read back by a cubic B-spline, so that even the curvature is continuous. Height = c(x) + d(x) s(y), where s
-// goes from -1 at the right track to 1 at the left one.
+// A random road of an ISO 8608 class: two tracks side by side, generated once as a table of harmonics with random phases
+// and interpolated by a cubic B-spline, so that even the curvature is continuous. Height = c(x) + d(x) s(y), where s is -1
+// at the right track and 1 at the left one.
 //
 // An isotropic surface with the spectrum n^-2 along any line has tracks with the coherence gamma = k b K_1(k b), k =
-// 2 pi n, b between them. So c has the spectrum G (1 + gamma)/2 and d has G (1 - gamma)/2; either harmonic of d is a
-// quarter wave before or behind that of c, by chance: then both tracks have the spectrum G in every harmonic and not
-// only on average.
+// 2 pi n, with b between them. So c has the spectrum G (1 + gamma)/2 and d has G (1 - gamma)/2; each harmonic of d randomly
+// leads or lags that of c by a quarter wave, so that both tracks have the spectrum G in every harmonic and not only on average.
 #pragma once
 
 #include <algorithm>
@@ -25,10 +24,10 @@ public:
     RandomRoad() = default;
     explicit RandomRoad(const RandomRoadDescription& d);
 
-    // After so much the table begins again [m].
+    // Length after which the table repeats [m].
     double period() const { return static_cast<double>(pieces_.size()) / per_meter_; }
 
-    // For numbers of any kind.
+    // For any scalar.
     template <class N>
     N height(const N& x, const N& y) const {
         const N fade = along_.weight(x), position = (x - N(along_.from)) * N(per_meter_);
@@ -42,7 +41,7 @@ public:
         return fade * (spline(0) + spline(1) * across(N(y * N(per_half_width_))));
     }
 
-    // The same under a wheel, in less than half the time: the points of a station side by side, and slopes for rates.
+    // The same under a wheel, in less than half the time: both points of a station together, and slopes in place of duals.
     void add_to(PatchSums<double>& sums, const PatchLines<double>& lines) const {
         const auto [first, last] = lines.along_x();
         if (!is_whole(first) || !is_whole(last)) {
@@ -57,11 +56,11 @@ public:
         }
     }
 
-    // No height is above it [m].
-    double highest() const { return highest_; }
+    // Upper bound on all heights [m].
+    double max_height() const { return max_height_; }
 
 private:
-    // Of c and d, side by side, from one knot to the next: constant + u (linear + u (square + u cube)), u from 0 to 1 [m].
+    // c and d between two knots: constant + u (linear + u (square + u cube)), u from 0 to 1 [m].
     struct Piece {
         DoublePair constant, linear, square, cube;
     };
@@ -72,14 +71,14 @@ private:
         DoublePair value, slope;
     };
 
-    // Beyond, a double has no place for their number.
+    // Larger positions are not exact in a double.
     bool exists(double position) const { return position >= 0 && position < 1e15 && !pieces_.empty(); }
     bool is_whole(double x) const { return along_.is_whole(x) && exists((x - along_.from) * per_meter_); }
     const Piece& piece(std::int64_t number) const {
         return pieces_[static_cast<std::size_t>(number) & (pieces_.size() - 1)];
     }
 
-    // Straight between the tracks, then leveling off: constant from a track width beside the middle on.
+    // Linear between the tracks, then leveling off: constant from one track width off the center.
     template <class N>
     static N across(const N& s) {
         const double beside = std::abs(value_of(s)), side = value_of(s) < 0 ? -1 : 1;
@@ -89,7 +88,7 @@ private:
         return N(side) * (N(1.5) - N(0.5) * rest * rest);
     }
 
-    // Of pieces and of half widths; s(y) is that of `across`, without branches.
+    // `position` in pieces, `s` in half widths; s(y) as in `across`, without branches.
     Sloped sloped(const DoublePair& position, const DoublePair& s) const {
         const CommonAndDifferent right = spline(position[0]), left = spline(position[1]);
         const DoublePair c{right.value[0], left.value[0]}, d{right.value[1], left.value[1]};
@@ -109,8 +108,8 @@ private:
 
     SmoothRange along_;          // where the road is
     double per_meter_ = 1;       // pieces per meter [1/m]
-    double per_half_width_ = 1;  // over half of what lies between the tracks [1/m]
-    double highest_ = 0;         // [m]
+    double per_half_width_ = 1;  // 1 / half the track width [1/m]
+    double max_height_ = 0;      // [m]
     std::vector<Piece> pieces_;  // of one period, a power of two
 };
 

@@ -11,7 +11,7 @@
 namespace hamilcar {
 namespace {
 
-// A line of the spectrum stands for half a resolution on either side of it; a band takes its share.
+// A line of the spectrum covers half a resolution on either side; a band takes its overlap.
 double mean_density(const Spectrum& spectrum, double low, double high) {
     double sum = 0;
     const double first = std::max(0.0, std::floor(low / spectrum.resolution - 0.5));
@@ -23,7 +23,7 @@ double mean_density(const Spectrum& spectrum, double low, double high) {
     return sum / (high - low);
 }
 
-// Bands of 1/`per_octave` octave, from 2^low to 2^high; beyond the lines there are none.
+// Bands of 1/`per_octave` octave from 2^low to 2^high, as far as the spectrum extends.
 void add_bands(const Spectrum& spectrum, int per_octave, double low, double high, std::vector<Band>& bands) {
     const double end = (static_cast<double>(spectrum.density.size()) - 0.5) * spectrum.resolution;
     const double shift = per_octave % 2 == 0 ? 0 : 0.5, rounding = 1e-9;  // of limits that are meant to coincide
@@ -54,7 +54,7 @@ double Band::center() const {
 
 Spectrum spectrum(const std::vector<double>& profile, double spacing, std::size_t segment) {
     if (!std::has_single_bit(segment) || segment < 4 || segment > profile.size())
-        throw std::length_error("a segment is a power of two of samples, from 4 to as many as the profile has");
+        throw std::length_error("the segment length must be a power of two, from 4 to the length of the profile");
     const std::vector<double> window = hann_window(segment);
     double squares = 0;
     for (const double share : window) squares += share * share;
@@ -82,7 +82,8 @@ std::vector<Band> smoothed(const Spectrum& spectrum) {
     add_bands(spectrum, 1, -6.5, octaves, bands);
     add_bands(spectrum, 3, octaves, thirds, bands);
     add_bands(spectrum, 12, thirds, highest, bands);
-    const double resolved = 2 * spectrum.resolution;  // below, the window has let the mean and the line in
+    const double resolved =
+        2 * spectrum.resolution;  // lower bands are contaminated by mean and trend through the window
     std::erase_if(bands, [&](const Band& band) { return band.low < resolved; });
     return bands;
 }
@@ -94,13 +95,13 @@ Roughness fitted(const std::vector<Band>& bands) {
         const double u = std::log(band.center() / reference_frequency), v = std::log(band.density);
         ++count, x += u, y += v, xx += u * u, xy += u * v;
     }
-    if (count < 2) throw std::invalid_argument("a profile with fewer than two bands of roughness has no class");
+    if (count < 2) throw std::invalid_argument("classifying a profile requires at least two bands with roughness");
     const double slope = (count * xy - x * y) / (count * xx - x * x);
     return {std::exp((y - slope * x) / count), -slope};
 }
 
 char classify(const std::vector<double>& profile, double spacing) {
-    // Long segments reach low frequencies, many segments scatter less: twice the longest wave that counts is enough.
+    // Long segments resolve low frequencies, many segments reduce the variance: twice the longest relevant wave is enough.
     const double enough = 2 / (spacing * lowest_frequency);
     const std::size_t longest = std::bit_floor(profile.size() / 2);
     const std::size_t segment = std::min(longest, std::bit_ceil(static_cast<std::size_t>(enough)));

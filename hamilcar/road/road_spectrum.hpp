@@ -1,9 +1,8 @@
-// How rough a profile is by ISO 8608: its one-sided displacement spectrum, smoothed in bands, the straight line
-// through it in logarithms and the class letter. Spatial frequencies n in cycles per meter, spectra G_d in m^3.
+// Roughness of a profile by ISO 8608: its one-sided displacement spectrum, smoothed in bands, the straight line fitted to it
+// in logarithms, and the class letter. Spatial frequencies n in cycles per meter, spectra G_d in m^3.
 //
-// The spectrum is Welch's: segments that overlap by three quarters, each less its straight line, under a Hann window.
-// At that overlap the squared windows add up to a constant: every part of the profile counts the same except near its
-// ends.
+// Welch's method: segments that overlap by three quarters, each detrended, with a Hann window. At that overlap the squared
+// windows add up to a constant, so that every part of the profile has the same weight except near its ends.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +10,21 @@
 
 namespace hamilcar {
 
-// Facts of ISO 8608: G_d(n) = G_d(n0) (n/n0)^-2, the geometric mean of a class four times that of the one before it,
+// From ISO 8608: G_d(n) = G_d(n0) (n/n0)^-2, the geometric mean of a class four times that of the one before it,
 // its limits half and double; lines are fitted over n from 2^-6.5 to 2^1.5.
 inline constexpr double reference_frequency = 0.1;                           // n0 [1/m]
 inline constexpr double lowest_frequency = 0.011, highest_frequency = 2.83;  // [1/m]
 
 // G_d(n0) of a class, 'A' to 'H': the geometric mean of its limits [m^3].
 double class_roughness(char road_class);
-// The class whose limits hold G_d(n0); what is smoother than all is 'A', what is rougher 'H'.
+// The class whose limits contain G_d(n0); 'A' for anything smoother, 'H' for anything rougher.
 char class_of(double roughness);
 
 struct Spectrum {
     double resolution = 0;        // [1/m]
     std::vector<double> density;  // at multiples of the resolution, from 0 on [m^3]
 };
-// Of a profile sampled every `spacing` [m], in segments of `segment` samples, a power of two.
+// Of a profile sampled every `spacing` [m], in segments of `segment` samples, which is a power of two.
 Spectrum spectrum(const std::vector<double>& profile, double spacing, std::size_t segment);
 
 // A band of the smoothed spectrum: the mean density between its limits.
@@ -34,11 +33,11 @@ struct Band {
     double density;    // [m^3]
     double center() const;
 };
-// All bands of 1/`per_octave` octave within the limits. At 1 cycle per meter there is the center of a band where the
-// number is odd and a limit where it is even: so twelfths fill thirds.
+// All bands of 1/`per_octave` octave within the limits. For an odd number 1 cycle per meter is the center of a band, for an even
+// one a limit, so that twelfths subdivide thirds.
 std::vector<Band> smoothed(const Spectrum& spectrum, int per_octave, double low, double high);
-// As the standard reports them: octaves up to the center 2^-5, third-octaves to 2^-2, then twelfths. What the
-// segments are too short for is left out.
+// As in the standard: octaves up to the center 2^-5, third octaves to 2^-2, then twelfths. Bands that the segments are too short
+// to resolve are omitted.
 std::vector<Band> smoothed(const Spectrum& spectrum);
 
 struct Roughness {

@@ -7,16 +7,16 @@ namespace hamilcar {
 
 namespace {
 
-// One table for all surfaces of one description, as long as any of them lives: a batch on a large file has it once. The
-// description lives as long, so that its address stays its own.
+// One table shared by all surfaces of one description, so that a batch on a large file stores it once. The table keeps the
+// description alive, so that its address identifies it.
 template <class Road, class Description>
-Shared<Road, Description> shared(const std::shared_ptr<const Description>& description) {
+SharedRoad<Road, Description> shared(const std::shared_ptr<const Description>& description) {
     static std::mutex mutex;
-    static std::map<const Description*, std::weak_ptr<const Road>> known;
+    static std::map<const Description*, std::weak_ptr<const Road>> cache;
     const std::lock_guard lock(mutex);
-    std::erase_if(known, [](const auto& entry) { return entry.second.expired(); });
-    std::shared_ptr<const Road> road = known[description.get()].lock();
-    if (!road) known[description.get()] = road = std::make_shared<const Road>(*description);
+    std::erase_if(cache, [](const auto& entry) { return entry.second.expired(); });
+    std::shared_ptr<const Road> road = cache[description.get()].lock();
+    if (!road) cache[description.get()] = road = std::make_shared<const Road>(*description);
     return {road, description};
 }
 
@@ -31,7 +31,7 @@ Surface::Surface(const RoadDescription& d) {
     for (const FrictionPatchDescription& patch : d.patches) patches_.emplace_back(patch);
     for (const SignalDescription& post : d.posts.height) posts_.emplace_back(post);
     for (const SurfaceElement& element : elements_) {
-        highest_ += std::visit([](const auto& one) { return one.highest(); }, element);
+        max_height_ += std::visit([](const auto& one) { return one.max_height(); }, element);
     }
 }
 

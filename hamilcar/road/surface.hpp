@@ -1,5 +1,5 @@
-// Everything that stands on the plane of a road, as heights above it and factors of friction over ground x and y. A sum of
-// elements, each in a file of its own; all in plain numbers, whatever the car is computed in.
+// The uneven surface on the plane of a road: heights above it and friction factors over ground x and y. A sum of elements, each in
+// its own file; stored as doubles, whatever scalar the car is computed in.
 #pragma once
 
 #include <memory>
@@ -18,9 +18,9 @@
 
 namespace hamilcar {
 
-// A large table that many surfaces have in common, with the description that it was made of.
+// A large table shared by many surfaces, with its description.
 template <class Road, class Description>
-struct Shared {
+struct SharedRoad {
     std::shared_ptr<const Road> road;
     std::shared_ptr<const Description> description;
 
@@ -28,11 +28,11 @@ struct Shared {
     N height(const N& x, const N& y) const {
         return road->height(x, y);
     }
-    double highest() const { return road->highest(); }
+    double max_height() const { return road->max_height(); }
 };
 
-using SurfaceElement = std::variant<Obstacle, Wave, RandomRoad, Shared<HeightGrid, HeightGridDescription>,
-                                    Shared<CrgRoad, CrgDescription>>;
+using SurfaceElement = std::variant<Obstacle, Wave, RandomRoad, SharedRoad<HeightGrid, HeightGridDescription>,
+                                    SharedRoad<CrgRoad, CrgDescription>>;
 
 class Surface {
 public:
@@ -48,10 +48,10 @@ public:
         }
         return sum;
     }
-    // The plane that fits it best under a patch; with the post under the wheel of that number.
+    // The plane that best fits it under a patch, including the lift of the post under that wheel.
     template <class T>
-    PatchPlane<T> under(const PatchPlace<T>& place, int wheel, double time) const {
-        if (value_of(place.clearance) > highest_) return {};
+    PatchPlane<T> under(const PatchPose<T>& place, int wheel, double time) const {
+        if (value_of(place.clearance) > max_height_) return {};
         const PatchLines<T> lines(place);
         PatchSums<T> sums;
         for (const SurfaceElement& element : elements_) {
@@ -69,10 +69,10 @@ public:
         if (has_patches()) plane.friction = T(friction(lines));
         return plane;
     }
-    // No height is above it; of measured roads nobody knows [m].
-    double highest() const { return highest_; }
+    // Upper bound on all heights; infinite for OpenCRG roads [m].
+    double max_height() const { return max_height_; }
     bool has_patches() const { return !patches_.empty(); }
-    // Factor on the tire's friction, without the plane's own [1].
+    // Factor on the tire's friction, excluding that of the plane [1].
     double friction(double x, double y) const {
         double factor = 1;
         for (const FrictionPatch& patch : patches_) factor *= 1 + (patch.friction - 1) * patch.weight(x, y);
@@ -89,7 +89,7 @@ public:
         }
         return sum;
     }
-    // Height and rate of the post under a wheel, by its number [m, m/s].
+    // Height and rate of the post under a wheel [m, m/s].
     SignalValue<double> post(int wheel, double time) const {
         if (wheel >= static_cast<int>(posts_.size())) return {};
         return posts_[static_cast<std::size_t>(wheel)].at(time);
@@ -99,10 +99,10 @@ private:
     std::vector<SurfaceElement> elements_;
     std::vector<FrictionPatch> patches_;
     std::vector<Signal> posts_;
-    double highest_ = 0;
+    double max_height_ = 0;
 };
 
-// Null for a road that is nothing but a plane.
+// Null for a plane road.
 std::shared_ptr<const Surface> make_surface(const RoadDescription& description);
 
 }  // namespace hamilcar

@@ -7,18 +7,19 @@ namespace hamilcar {
 
 namespace {
 
-// Ahead and aside of a node, at fifths of the spacing: a cleat of 5 cm is met.
-constexpr std::array<double, 4> looks{-0.4 * tile_spacing, -0.2 * tile_spacing, 0.2 * tile_spacing, 0.4 * tile_spacing};
+// Offsets from a node along x and y, at fifths of the spacing, so that a cleat of 5 cm is hit.
+constexpr std::array<double, 4> offsets{-0.4 * tile_spacing, -0.2 * tile_spacing, 0.2 * tile_spacing,
+                                        0.4 * tile_spacing};
 
 double height_around(const Surface& surface, double x, double y) {
     const double own = surface.height(x, y);
-    double most = own;
-    const auto look = [&](double there_x, double there_y) {
+    double extreme = own;
+    const auto sample = [&](double there_x, double there_y) {
         const double height = surface.height(there_x, there_y);
-        if (std::abs(height - own) > std::abs(most - own)) most = height;
+        if (std::abs(height - own) > std::abs(extreme - own)) extreme = height;
     };
-    for (const double away : looks) look(x + away, y), look(x, y + away);
-    return most;
+    for (const double offset : offsets) sample(x + offset, y), sample(x, y + offset);
+    return extreme;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// An uneven road as people see it: square patches of heights, for pictures alone. The equations ask the surface itself.
+// An uneven road for display only: square tiles of heights. The equations of motion use the surface itself.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,8 @@ inline constexpr double tile_size = 16;                               // of a si
 inline constexpr int tile_nodes = 65;                                 // along a side
 inline constexpr double tile_spacing = tile_size / (tile_nodes - 1);  // [m]
 
-// From x = ix tile_size to (ix + 1) tile_size, likewise in y; heights above ground z = 0, rows of constant y one after the
-// other. Of the ground around a node the height that differs most from the node's own counts, so that a cleat between two
-// nodes is seen.
+// From x = ix tile_size to (ix + 1) tile_size, likewise in y; heights above ground z = 0, in rows of constant y. Each node takes
+// the height around it that differs most from its own, so that a cleat between two nodes is visible.
 struct RoadTile {
     int ix = 0, iy = 0;
     std::vector<float> heights;  // [m]

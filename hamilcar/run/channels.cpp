@@ -28,7 +28,7 @@ Vec3<double> chassis_position(const Sample& s) {
     return Vec3<double>(s.state.position()) + s.velocity.R_GC * center_of_mass(s);
 }
 Vec3<double> chassis_velocity(const Sample& s) {
-    return velocity_at<double>(s.velocity.hub, center_of_mass(s));
+    return velocity_at<double>(s.velocity.chassis, center_of_mass(s));
 }
 
 // ISO 8855 angles: yaw about z, pitch about y', roll about x''.
@@ -63,7 +63,7 @@ void add_chassis_channels(std::vector<Channel>& list) {
     }
     for (int i = 0; i < 3; ++i) {
         list.push_back({{fmt::format("chassis.rate.{}", angles[i]), "deg/s", "angular velocity, vehicle axes"},
-                        [i](const Sample& s) { return degree * s.velocity.hub[3 + i]; },
+                        [i](const Sample& s) { return degree * s.velocity.chassis[3 + i]; },
                         i == 2});
     }
     const char* names[] = {"longitudinal", "lateral", "vertical"};

@@ -14,7 +14,7 @@
 #include <memory>
 #include <span>
 
-#include "hamilcar/block/ring.hpp"
+#include "hamilcar/block/rhs.hpp"
 #include "hamilcar/io/checksum.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/whole_file.hpp"
@@ -210,7 +210,7 @@ void check_place(const std::string& path) {
 // Rates of every number now. The same for the same vehicle, road and inputs; all parameters that matter are in them.
 State<double> rates_of(const Simulation& simulation) {
     State<double> rate;
-    evaluate(simulation.model(), simulation.schedule()(simulation.time()), simulation.state(), rate);
+    evaluate_rhs(simulation.model(), simulation.schedule()(simulation.time()), simulation.state(), rate);
     return rate;
 }
 

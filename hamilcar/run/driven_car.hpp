@@ -3,7 +3,7 @@
 
 #include "hamilcar/block/model.hpp"
 #include "hamilcar/description/vehicle.hpp"
-#include "hamilcar/driver/senses.hpp"
+#include "hamilcar/driver/observation.hpp"
 
 namespace hamilcar {
 

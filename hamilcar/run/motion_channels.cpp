@@ -41,7 +41,7 @@ void add_tire(const std::string& name, std::size_t unit, const ReadTire& forces,
     for (int i = 0; i < 3; ++i) {
         add(list, fmt::format("{}.contact.{}", name, axes[static_cast<std::size_t>(i)]), "m",
             "the contact's middle, ground axes", [forces, unit, i](const Sample& s) {
-                const UnitPlace<double> place = unit_place(s, unit);
+                const UnitPose<double> place = unit_place(s, unit);
                 return place.position[i] + place.R.row(i).dot(forces(s).frame.point);
             });
     }

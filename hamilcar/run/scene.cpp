@@ -49,7 +49,7 @@ Scene make_scene(const VehicleDescription& vehicle) {
     Scene scene;
     for (std::size_t unit = 0; unit <= vehicle.trailers.size(); ++unit) {
         scene.frames.push_back({unit == 0 ? "chassis" : vehicle.trailers[unit - 1].name, unit, [unit](const Sample& s) {
-                                    const UnitPlace<double> place = unit_place(s, unit);
+                                    const UnitPose<double> place = unit_place(s, unit);
                                     return Pose<double>{place.R, place.position};
                                 }});
     }

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "hamilcar/analysis/loops.hpp"
-#include "hamilcar/engine/car_ring.hpp"
+#include "hamilcar/engine/car_rhs.hpp"
 #include "hamilcar/integrator/stabilization.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/math/convert.hpp"
@@ -109,27 +109,27 @@ void Simulation::start_driver() {
     } catch (const std::invalid_argument& mistake) {
         reject_key("driver", fmt::format(": {}", mistake.what()));
     }
-    if (!driver_->acts()) return driver_.reset();
+    if (!driver_->is_active()) return driver_.reset();
     driver_->begin(schedule_);
     for (int round = 0; round < 2; ++round) {  // a gear is chosen by speeds that a gear gives
-        driver_->act(senses(), schedule_);
+        driver_->act(observation(), schedule_);
         set_rotors(model_, schedule_(0), state_);
     }
 }
 
 void Simulation::prepare() {
-    if (!program_) program_ = turn_program(model_, default_engine());
+    if (!program_) program_ = rhs_program(model_, default_engine());
 }
 
 std::optional<End> Simulation::advance() {
     if (driver_ && step_count_ > 0 && step_count_ % steps_per_decision_ == 0) {
-        driver_->act(senses(), schedule_);
-        if (driver_->ended()) return std::nullopt;  // the run ends here
+        driver_->act(observation(), schedule_);
+        if (driver_->end_reason()) return std::nullopt;  // the run ends here
     }
     copy_state(state_, model_.vehicle.state_size, last_good_);
     prepare();
-    const CarRing ring(*program_, surface_.get());
-    const Health<double> health = advance_car(ring, integrator_, schedule_, time(), state_);
+    const CarRhs rhs(*program_, surface_.get());
+    const Health<double> health = advance_car(rhs, integrator_, schedule_, time(), state_);
     const std::string problem = inspect(health);
     if (problem.empty()) {
         ++step_count_;
@@ -166,23 +166,24 @@ std::string Simulation::inspect(const Health<double>& health) const {
                            scenario_.solver.tolerance);
     }
     const bool locks = health.locks();
-    if (!locks && !health.comes_apart()) return {};
+    if (!locks && !health.loops_open()) return {};
     const RackMotion<double> rack = schedule_(time()).rack;
     LoopReport worst = inspect_loops(model_, rack, state_, 0);
     for (int i = 1; i < static_cast<int>(model_.vehicle.suspensions.size()); ++i) {
         const LoopReport loop = inspect_loops(model_, rack, state_, i);
-        if (locks ? loop.mobility < worst.mobility : loop.opening > worst.opening) worst = loop;
+        if (locks ? loop.mobility < worst.mobility : loop.violation > worst.violation) worst = loop;
     }
     if (locks) {
         return fmt::format("the linkage of {} locks at '{}'{}: it cannot move further this way",
                            suspension_name(vehicle_, worst.suspension),
-                           cut_name(vehicle_, model_, worst.suspension, worst.locking), travels(worst.suspension));
+                           cut_name(vehicle_, model_, worst.suspension, worst.nearly_redundant),
+                           travels(worst.suspension));
     }
     return fmt::format(
         "{} came apart: '{}' stands open by {:.1f} mm{}; the linkage may be past its reach, or try a smaller "
         "step",
         suspension_name(vehicle_, worst.suspension), cut_name(vehicle_, model_, worst.suspension, worst.cut),
-        1e3 * worst.opening, travels(worst.suspension));
+        1e3 * worst.violation, travels(worst.suspension));
 }
 
 // ", wheel travel +85 mm (rear_left)" of the last good state, or of the wheels of both sides.
@@ -215,7 +216,7 @@ Sample Simulation::sample() const {
     if (!model_.energy_balance) s.energy.work = std::numeric_limits<double>::quiet_NaN();  // nobody kept it
     for (int i = 0; i < static_cast<int>(model_.vehicle.suspensions.size()); ++i) {
         const LoopReport loop = inspect_loops(model_, input.rack, state_, i);
-        s.violation = std::max(s.violation, loop.opening);
+        s.violation = std::max(s.violation, loop.violation);
         s.mobility = std::min(s.mobility, loop.mobility);
     }
     for (std::size_t i = 0; i < model_.vehicle.suspensions.size(); ++i) {

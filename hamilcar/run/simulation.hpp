@@ -12,9 +12,9 @@
 #include "hamilcar/block/initial_process.hpp"
 #include "hamilcar/block/integration.hpp"
 #include "hamilcar/driver/driver.hpp"
+#include "hamilcar/driver/observe.hpp"
 #include "hamilcar/driver/schedule.hpp"
-#include "hamilcar/driver/sense.hpp"
-#include "hamilcar/engine/turn_program.hpp"
+#include "hamilcar/engine/rhs_program.hpp"
 
 namespace hamilcar {
 
@@ -61,9 +61,9 @@ public:
     long total_steps() const { return total_steps_; }
     bool finished() const { return step_count_ >= total_steps_ || ending(); }
     // What ended the run before its time, of those endings that the driver was told.
-    std::optional<std::string> ending() const { return driver_ ? driver_->ended() : std::nullopt; }
+    std::optional<std::string> ending() const { return driver_ ? driver_->end_reason() : std::nullopt; }
     // What the driver could not do, with what was reached.
-    std::vector<std::string> complaints() const { return driver_ ? driver_->complaints() : std::vector<std::string>(); }
+    std::vector<std::string> complaints() const { return driver_ ? driver_->warnings() : std::vector<std::string>(); }
 
     // Compiles the step; the first `advance` does so otherwise. For who cannot wait then.
     void prepare();
@@ -80,7 +80,7 @@ public:
     void follow(Control control, const SignalValue<double>& now) {
         schedule_.follow(control, time(), now, scenario_.solver.step);
     }
-    Senses senses() const { return sense(model_, state_, schedule_(time())); }
+    Observation observation() const { return observe(model_, state_, schedule_(time())); }
     const DrivenCar& driven_car() const { return car_; }
 
     Sample sample() const;
@@ -105,7 +105,7 @@ private:
     ScenarioDescription scenario_;
     std::shared_ptr<const Surface> surface_;  // the model's; a copy of a Simulation shares it
     Model<double> model_;
-    std::shared_ptr<const TurnProgram> program_;  // of the model; a copy of a Simulation shares it
+    std::shared_ptr<const RhsProgram> program_;  // of the model; a copy of a Simulation shares it
     Schedule schedule_;
     DrivenCar car_;
     std::optional<Driver> driver_;

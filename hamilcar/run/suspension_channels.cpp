@@ -160,7 +160,7 @@ void add_trailer_channels(std::vector<Channel>& list, const TrailerDescription& 
             list, fmt::format("{}.position.{}", trailer.name, axes[axis]), "m",
             "center of mass of the trailer's chassis, ground axes",
             [i, axis](const Sample& s) {
-                const UnitPlace<double> place = unit_place(s, i + 1);
+                const UnitPose<double> place = unit_place(s, i + 1);
                 return (place.position + place.R * s.model.vehicle.trailers[i].chassis.center)[axis];
             },
             axis < 2);

@@ -5,7 +5,7 @@
 
 namespace hamilcar {
 
-inline UnitPlace<double> unit_place(const Sample& s, std::size_t unit) {
+inline UnitPose<double> unit_place(const Sample& s, std::size_t unit) {
     if (unit == 0) return {s.state.position(), s.velocity.R_GC};
     const std::size_t trailer = unit - 1;
     const auto tow = static_cast<std::size_t>(s.model.vehicle.trailers[trailer].tow);

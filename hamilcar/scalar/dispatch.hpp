@@ -1,4 +1,4 @@
-// std::visit for the inside of a step: a chain of comparisons that the compiler sees through, without tables or exceptions.
+// std::visit for use inside a step: a chain of comparisons that the compiler can optimize, without tables or exceptions.
 #pragma once
 
 #include <variant>
@@ -7,7 +7,7 @@
 
 namespace hamilcar {
 
-// Calls f with the alternative that `variant` holds; it holds one.
+// Calls f with the alternative that `variant` holds; `variant` must not be valueless.
 template <std::size_t I = 0, class Variant, class F>
 decltype(auto) dispatch(Variant& variant, F&& f) {
     if constexpr (I + 1 == std::variant_size_v<std::remove_const_t<Variant>>) {

@@ -1,5 +1,5 @@
-// A number that carries its derivatives along: value and N partial derivatives, exact to round-off (forward mode). Choices
-// follow the values, so a derivative is that of the branch taken.
+// Dual number for forward-mode differentiation: a value with N partial derivatives, exact to round-off. Comparisons use the
+// values, so a derivative is that of the branch taken.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ public:
     requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, T>) Dual(Number value)
         : value_(static_cast<T>(value)) {}
     Dual(T value, const Partials& partials) : value_(value), partials_(partials) {}
-    // The independent variable of that number.
+    // The independent variable with that index.
     static Dual variable(T value, int number) {
         Dual out(value);
         out.partials_[static_cast<std::size_t>(number)] = T(1);
@@ -40,8 +40,8 @@ public:
         return combined(a.value_ * b.value_, a, b.value_, b, a.value_);
     }
     friend Dual operator/(const Dual& a, const Dual& b) {
-        const T quotient = a.value_ / b.value_, scale = T(1) / b.value_;
-        return combined(quotient, a, scale, b, T(-quotient * scale));
+        const T ratio = a.value_ / b.value_, scale = T(1) / b.value_;
+        return combined(ratio, a, scale, b, T(-ratio * scale));
     }
     friend Dual operator-(const Dual& a) { return a.chained(-a.value_, T(-1)); }
     Dual& operator+=(const Dual& b) { return *this = *this + b; }
@@ -66,7 +66,7 @@ private:
     Partials partials_{};
 };
 
-// At zero, as of a speed that is zero, the derivative of the root is taken as zero: what it belongs to, a square, is flat.
+// At zero the derivative of the root is taken as zero, which is right for roots of squares, such as a speed of zero.
 template <class T, int N>
 Dual<T, N> sqrt(const Dual<T, N>& x) {
     const T root = sqrt(x.value());
@@ -119,7 +119,7 @@ Dual<T, N> logarithm(const Dual<T, N>& x) {
     return x.chained(logarithm(x.value()), T(T(1) / x.value()));
 }
 
-// What a number with derivatives is made of; a plain one is its own.
+// The value of a dual number; a plain number itself.
 inline double without_partials(double x) {
     return x;
 }
@@ -128,7 +128,7 @@ const T& without_partials(const Dual<T, N>& x) {
     return x.value();
 }
 
-// f(x, y) where f and its slopes are known: what numbers with derivatives make of it.
+// f(x, y) from a known value and known partial derivatives.
 inline double chained(double value, double, double, double, double) {
     return value;
 }

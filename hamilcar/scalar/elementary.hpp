@@ -1,11 +1,11 @@
-// Arc tangent, sine, exponential and logarithm for every scalar by the same additions, multiplications and one quotient, so
-// that a lane, a double and any machine get the same bits. Tire formulas are made of these: each is straight code that many
-// lanes run together, and several of them side by side hide one another's waiting.
+// Arc tangent, sine, exponential and logarithm for every scalar by the same additions, multiplications and one division, so that
+// a lane, a double and any machine get the same bits. Tire formulas use them: each is branch-free code that many lanes run
+// together, and several of them side by side hide each other's latency.
 //
 // Errors stay below 4 units of the last place for any argument of the arc tangent and for angles below 50 rad, below 60 for
 // the exponential of |x| < 5 and the logarithm (tests/scalar/elementary_test.cpp measures them). The polynomials of
-// sine and arc tangent are those of least relative error (Remez's exchange in 50 digits: 1.2e-16 and 3.4e-17), the arc
-// tangent's in single precision that of Cephes (atanf.c).
+// sine and arc tangent minimize the relative error (Remez exchange in 50 digits: 1.2e-16 and 3.4e-17); the arc tangent in
+// single precision is that of Cephes (atanf.c).
 #pragma once
 
 #include <array>
@@ -44,7 +44,7 @@ struct ElementaryConstants<float> {
 template <class T>
 using ElementaryOf = ElementaryConstants<Real<T>>;
 
-// The same polynomial as two of half the length, which run side by side.
+// The polynomial as its even and odd part, which are independent of each other.
 template <class T, class Coefficient, std::size_t n>
 T split_polynomial(const Coefficient (&c)[n], const T& z) {
     constexpr std::size_t last_even = (n - 1) / 2 * 2, last_odd = n / 2 * 2 - 1;
@@ -55,31 +55,31 @@ T split_polynomial(const Coefficient (&c)[n], const T& z) {
     return even + z * odd;
 }
 
-// atan(size / x) as an eighth or a quarter of a turn and the arc tangent of above / below, at most tan(pi/8).
+// atan(size / x) as zero, pi/4 or pi/2 plus the arc tangent of above / below, which is at most tan(pi/8).
 template <class T>
-struct TurnedArctangent {
-    T above, below, turned;
+struct ReducedArctangent {
+    T above, below, offset;
 
-    TurnedArctangent() = default;
-    TurnedArctangent(const T& size, const T& x) {
+    ReducedArctangent() = default;
+    ReducedArctangent(const T& size, const T& x) {
         using C = ElementaryOf<T>;
         const auto steep = size > T(2.41421356237309504880) * x, slanted = size > T(0.41421356237309504880) * x;
         above = select(steep, T(-x), select(slanted, T(size - x), size));
         below = select(steep, size, select(slanted, T(size + x), x));
-        turned = select(steep, T(C::half_pi), select(slanted, T(C::half_pi / 2), T(0)));
+        offset = select(steep, T(C::half_pi), select(slanted, T(C::half_pi / 2), T(0)));
     }
-    // `t`: the quotient; the sign is y's.
+    // `t`: above / below; `y` gives the sign.
     T angle(const T& y, const T& t) const {
         const T z = t * t;
-        const T size = turned + (t - t * z * split_polynomial(ElementaryOf<T>::arctangent, z));
+        const T size = offset + (t - t * z * split_polynomial(ElementaryOf<T>::arctangent, z));
         return select(y < T(0), T(-size), size);
     }
 };
 
 }  // namespace detail
 
-// 1 / x of several numbers by one quotient, which takes as long as some ten products and keeps the others waiting. Their
-// product must neither vanish nor overflow.
+// 1 / x of several numbers with one division, which costs about ten multiplications and does not pipeline. The product of the
+// numbers must neither vanish nor overflow.
 template <class T, std::size_t n>
 std::array<T, n> reciprocals(const std::array<T, n>& x) {
     std::array<T, n> product{x[0]}, out;
@@ -90,20 +90,20 @@ std::array<T, n> reciprocals(const std::array<T, n>& x) {
     return out;
 }
 
-// Of y / x for x > 0, between -pi/2 and pi/2 [rad]: with one quotient in all. Beyond tan(pi/8) the argument is turned back by
-// an eighth or a quarter of a turn.
+// atan(y / x) for x > 0, between -pi/2 and pi/2 [rad], with a single division. Beyond tan(pi/8) the argument is reduced by pi/4 or
+// pi/2.
 template <class T>
 T arctangent(const T& y, const T& x) {
-    const detail::TurnedArctangent<T> turned(abs(y), x);
+    const detail::ReducedArctangent<T> turned(abs(y), x);
     return turned.angle(y, T(turned.above / turned.below));
 }
-// Several of them, x from 1 on, by one quotient; beyond 1e8 x as there.
+// Several of them with one division, for x >= 1; |y| is limited to 1e8 x.
 template <class T, std::size_t n>
 std::array<T, n> arctangents(const std::array<T, n>& y, const std::array<T, n>& x) {
-    std::array<detail::TurnedArctangent<T>, n> turned;
+    std::array<detail::ReducedArctangent<T>, n> turned;
     std::array<T, n> below, out;
     for (std::size_t i = 0; i < n; ++i) {
-        turned[i] = detail::TurnedArctangent<T>(min(abs(y[i]), T(1e8) * x[i]), x[i]);
+        turned[i] = detail::ReducedArctangent<T>(min(abs(y[i]), T(1e8) * x[i]), x[i]);
         below[i] = turned[i].below;
     }
     const std::array<T, n> inverse = reciprocals(below);
@@ -117,7 +117,7 @@ T arctangent(const T& x) {
 
 namespace detail {
 
-// sin(r) of |r| <= pi/2, with the sign changed where `half_turns` is odd.
+// sin(r) for |r| <= pi/2, with the sign changed where `half_turns` is odd.
 template <class T>
 T sine_of_half_turn(const T& r, const T& half_turns) {
     using C = ElementaryOf<T>;
@@ -138,7 +138,7 @@ T sine(const T& angle) {
     return detail::sine_of_half_turn<T>((angle - n * T(C::pi[0])) - n * T(C::pi[1]), n);
 }
 
-// Cosine alone. Even, so that the quarter of a turn is taken off the angle's size: cos(x) = sin(pi/2 - |x|).
+// Cosine alone. It is even, so pi/2 is subtracted from the magnitude: cos(x) = sin(pi/2 - |x|).
 template <class T>
 T cosine(const T& angle) {
     using C = detail::ElementaryOf<T>;
@@ -148,7 +148,7 @@ T cosine(const T& angle) {
     return -detail::sine_of_half_turn<T>(r, n);
 }
 
-// e^x for |x| < 40, beyond as at the end: Pade's quotient of x/8, squared three times.
+// e^x for |x| < 40, constant beyond: the Pade approximant at x/8, squared three times.
 template <class T>
 T exponential(const T& x) {
     const T y = clamp(x, T(-40), T(40)) * T(1.0 / 8), z = y * y;
@@ -158,7 +158,7 @@ T exponential(const T& x) {
     return fourth * fourth;
 }
 
-// ln x for 1e-4 < x < 1e4: the series of the inverse hyperbolic tangent, of x's sixteenth root.
+// ln x for 1e-4 < x < 1e4: the series of the inverse hyperbolic tangent for the sixteenth root of x.
 template <class T>
 T logarithm(const T& x) {
     const T root = sqrt(sqrt(sqrt(sqrt(x)))), t = (root - T(1)) / (root + T(1)), z = t * t;

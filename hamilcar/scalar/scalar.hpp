@@ -1,4 +1,5 @@
-// What the core asks of a number, written so that one that records can answer too: choices are values, never branches.
+// The operations that the core requires of a scalar, such that a recording number supports them too: choices are values, never
+// branches.
 #pragma once
 
 #include <array>
@@ -8,24 +9,24 @@
 
 namespace hamilcar {
 
-// `condition ? yes : no` as a function; numbers that record overload it.
+// `condition ? yes : no` as a function; recording numbers overload it.
 template <class T>
 T select(bool condition, const T& yes, const T& no) {
     return condition ? yes : no;
 }
 
-// Whether a condition holds in any lane: the only question that may skip work.
+// Whether a condition holds in any lane; the only test that may skip work.
 inline bool any(bool condition) {
     return condition;
 }
 
-// n numbers: `rare()` if the condition holds in any lane, `usual()` otherwise. Where it does not hold both must come to the
-// same, so that a lane never depends on its neighbors.
-template <class Condition, class Usual, class Rare>
-auto unless(const Condition& condition, const Usual& usual, const Rare& rare) {
+// An array of numbers: `rare()` if the condition holds in any lane, `common()` otherwise. Where it does not hold both must give the
+// same result, so that a lane never depends on its neighbors.
+template <class Condition, class Common, class Rare>
+auto unless(const Condition& condition, const Common& common, const Rare& rare) {
     if (any(condition)) [[unlikely]]
         return rare();
-    return usual();
+    return common();
 }
 
 template <std::floating_point T>
@@ -45,25 +46,25 @@ T max(T a, T b) {
     return a > b ? a : b;
 }
 
-// min(max(x, low), high); `low` wins nothing when the bounds cross, so keep low <= high.
+// min(max(x, low), high), for low <= high.
 template <class T>
 T clamp(const T& x, const T& low, const T& high) {
     return min(max(x, low), high);
 }
 
-// a / sqrt(x); the root and the quotient side by side, since either keeps the next operation waiting.
+// a / sqrt(x); root and division are independent, since both have high latency.
 template <class T>
 T over_root(const T& a, const T& x) {
     return sqrt(x) * (a / x);
 }
 
-// The plain number behind a scalar, for decisions outside a step.
+// The value of a scalar as a double, for decisions outside a step.
 template <std::floating_point T>
 double value_of(T x) {
     return x;
 }
 
-// The lanes of a number: one of itself, unless it is several side by side. `Element` is what a lane holds.
+// The lanes of a number: one, unless it holds several side by side. `Element` is the type of a lane.
 template <class T>
 struct Lanes {
     static constexpr int count = 1;
@@ -76,7 +77,7 @@ inline constexpr int lane_count = Lanes<T>::count;
 template <class T>
 using Element = typename Lanes<T>::Element;
 
-// The precision that a number computes in: float, or double for all others.
+// The precision that a number computes in: float or double.
 template <class T>
 struct RealOf {
     using type = std::conditional_t<std::is_same_v<Element<T>, float>, float, double>;

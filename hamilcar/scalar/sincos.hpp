@@ -1,8 +1,9 @@
 // Sine and cosine for every scalar by the same additions and multiplications, so that a lane, a double and any machine get
-// the same bits. The angle is brought to [-pi/4, pi/4] by Cody and Waite's three-part pi/2 and two polynomials do the rest.
+// the same bits. The angle is reduced to [-pi/4, pi/4] with a three-part pi/2 (Cody and Waite), where two polynomials apply.
 //
 // Errors stay below 1.5 units of the last place for |angle| < 100, below 2.5 up to 1e5 in double and 1e3 in float; beyond,
-// the reduction loses digits gradually (tests/scalar/sincos_test.cpp measures them). The polynomials are those of FreeBSD's msun (k_sin.c, k_cos.c) and, for float, Cephes (sinf.c).
+// the reduction loses digits gradually (tests/scalar/sincos_test.cpp measures them). The polynomials are those of FreeBSD's msun
+// (k_sin.c, k_cos.c) and, for float, Cephes (sinf.c).
 #pragma once
 
 #include <array>
@@ -49,7 +50,7 @@ T polynomial(const Coefficient (&c)[n], const T& z) {
 
 }  // namespace detail
 
-// Of angles within [-pi/4, pi/4].
+// For angles within [-pi/4, pi/4].
 template <class T>
 SineCosine<T> sincos_of_reduced(const T& x) {
     using C = detail::SineCosineConstants<Real<T>>;
@@ -57,7 +58,7 @@ SineCosine<T> sincos_of_reduced(const T& x) {
     return {x + x * z * detail::polynomial(C::sine, z), T(1) - (T(0.5) * z - z * z * detail::polynomial(C::cosine, z))};
 }
 
-// Of any angle.
+// For any angle.
 template <class T>
 SineCosine<T> sincos_with_reduction(T angle) {
     using C = detail::SineCosineConstants<Real<T>>;
@@ -73,7 +74,7 @@ SineCosine<T> sincos_with_reduction(T angle) {
             select(quarter == T(1) || abs(quarter) == T(2), T(-cosine), cosine)};
 }
 
-// Linkages mostly turn by less than an eighth of a turn, and there the reduction would not change a bit.
+// Linkage angles are mostly below pi/4, where the reduction would not change a bit.
 template <class T>
 SineCosine<T> sincos(const T& angle) {
     const auto pair = [](const SineCosine<T>& both) { return std::array{both.sine, both.cosine}; };

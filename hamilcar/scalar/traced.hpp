@@ -1,8 +1,8 @@
-// A number that records: what is done to it becomes nodes of a graph (program/graph.hpp), and nothing is computed. The core run
-// with it once, for one vehicle, leaves the straight list of operations of that vehicle's step.
+// A recording number: every operation on it becomes a node of a graph (program/graph.hpp), and nothing is computed. Running the
+// core once with it, for one vehicle, records the straight-line operations of that vehicle's step.
 //
-// Conditions never become a bool unless they are known while recording; `any` of one that is not is true, so that both ways are
-// recorded and a `select` decides, except in `unless`, whose rare way becomes a region that is skipped.
+// Conditions never become a bool unless they are known while recording; otherwise `any` is true, so that both branches are
+// recorded and a `select` decides, except in `unless`, whose rare branch becomes a region that can be skipped.
 #pragma once
 
 #include <array>
@@ -14,12 +14,12 @@
 
 namespace hamilcar {
 
-// Numbers of this thread record into the graph of the latest Tracing that is alive.
+// Numbers of this thread record into the graph of the innermost Tracing in scope.
 class Tracing {
 public:
     explicit Tracing(program::Graph& graph) : before_(current()) {
         current() = &graph;
-        graph.constant(0.0);  // so that node 0 is a zero: what numbers are until they are given something
+        graph.constant(0.0);  // node 0 is zero, the value of default-constructed numbers
     }
     ~Tracing() { current() = before_; }
     Tracing(const Tracing&) = delete;
@@ -58,7 +58,7 @@ private:
     program::Id id_;
 };
 
-// `E`, double or float, is what the program will compute in; `width`: as many numbers side by side.
+// `E`, double or float, is the type that the program will compute in; `width`: count of numbers side by side.
 template <class E, int width = 1>
 class Traced {
 public:
@@ -69,7 +69,7 @@ public:
         : id_(Tracing::graph().constant(same, width)) {}  // implicit: constants enter formulas as numbers
     explicit Traced(const std::array<Traced<E, 1>, width>& numbers) requires(width == 2)
         : id_(Tracing::graph().add(program::Op::join, numbers[0].id(), numbers[1].id())) {}
-    // The same number, side by side with itself.
+    // The same number in both lanes.
     template <int single>
     requires(single == 1 && width == 2) explicit Traced(const Traced<E, single>& same)
         : Traced(std::array{same, same}) {}
@@ -142,26 +142,26 @@ struct RealOf<Traced<E, width>> {
     using type = E;
 };
 
-// The usual way is part of the list, the rare one a region. Regions do not nest: within one the rare way is good for all.
-template <int width, class Usual, class Rare>
-auto unless(TracedCondition<width> condition, const Usual& usual, const Rare& rare) {
+// The common branch is recorded inline, the rare one as a region. Regions do not nest: within one the rare branch is always taken.
+template <int width, class Common, class Rare>
+auto unless(TracedCondition<width> condition, const Common& common, const Rare& rare) {
     program::Graph& graph = Tracing::graph();
-    if (graph.is_truth(condition.id(), false)) return usual();
+    if (graph.is_truth(condition.id(), false)) return common();
     if (graph.is_truth(condition.id(), true) || graph.in_region()) return rare();
-    const auto otherwise = usual();
-    using Numbers = decltype(otherwise);
+    const auto common_numbers = common();
+    using Numbers = decltype(common_numbers);
     graph.begin_region(condition.id());
     const Numbers found = rare();
-    std::remove_const_t<Numbers> out = otherwise;
+    std::remove_const_t<Numbers> out = common_numbers;
     std::vector<program::Id> defaults, results;
-    std::vector<std::size_t> places;  // of what differs
+    std::vector<std::size_t> indices;  // indices of the differing numbers
     for (std::size_t i = 0; i < out.size(); ++i) {
-        if (otherwise[i].id() == found[i].id()) continue;
-        defaults.push_back(otherwise[i].id()), results.push_back(found[i].id());
-        places.push_back(i);
+        if (common_numbers[i].id() == found[i].id()) continue;
+        defaults.push_back(common_numbers[i].id()), results.push_back(found[i].id());
+        indices.push_back(i);
     }
     const std::vector<program::Id> merged = graph.end_region(defaults, results);
-    for (std::size_t i = 0; i < places.size(); ++i) out[places[i]] = std::decay_t<decltype(out[0])>::of(merged[i]);
+    for (std::size_t i = 0; i < indices.size(); ++i) out[indices[i]] = std::decay_t<decltype(out[0])>::of(merged[i]);
     return out;
 }
 

@@ -1,4 +1,4 @@
-// From the steering wheel to the rack: a ratio, or a ratio that varies with the angle.
+// Steering column: the ratio from steering wheel to rack, constant or varying with the angle.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace hamilcar {
 
-// Rack displacement as an odd function of the steering wheel's angle, with a continuous slope: through the points of a table
-// by monotone cubics (Fritsch and Butland 1984), straight beyond them.
+// Rack displacement as an odd function of the steering wheel's angle, with a continuous slope: monotone cubics through the points
+// of a table (Fritsch and Butland 1984), straight beyond them.
 class Column {
 public:
     Column() = default;
@@ -21,15 +21,15 @@ public:
         double displacement, slope, curvature;
     };
     Rack rack(double angle) const;
-    // The angle at which the rack stands at `displacement` [rad].
+    // The angle for a rack displacement [rad].
     double angle(double displacement) const;
-    // What the rack does while the angle moves with rate and acceleration.
+    // Motion of the rack for a motion of the steering wheel.
     SignalValue<double> rack_motion(const SignalValue<double>& angle) const;
     double center_ratio() const { return center_ratio_; }  // rack per angle, straight ahead [m/rad]
 
 private:
     double center_ratio_ = 0;
-    std::vector<double> angle_, rack_, slope_;  // of the curve's points, both sides; empty: one ratio everywhere
+    std::vector<double> angle_, rack_, slope_;  // of the curve's points, both sides; empty: constant ratio
 };
 
 }  // namespace hamilcar

@@ -1,4 +1,4 @@
-// Suspensions that hang on one hinge, and the H-arm, which is a hinge on a hinge.
+// Suspensions on one hinge, and the H-arm, which is a hinge on a hinge.
 #include "hamilcar/suspension/recipe.hpp"
 
 namespace hamilcar {
@@ -49,18 +49,19 @@ constexpr auto point = HardpointKind::point;
 
 }  // namespace
 
-const Recipe semi_trailing_arm_recipe{
-    .keyword = "semi_trailing_arm",
-    .title = "Semi-trailing arm",
-    .keys = {{"inner_bush_m", point, "inner end of the pivot axis"},
-             {"outer_bush_m", point, "outer end of the pivot axis"},
-             {"spring_arm_m", point, "spring's seat on the arm"},
-             {"spring_body_m", point, "spring's seat on the chassis"},
-             {"damper_arm_m", point, "damper's mount on the arm"},
-             {"damper_body_m", point, "damper's mount on the chassis"}},
-    .spring_part = "carrier",
-    .apart = {{"inner_bush_m", "outer_bush_m"}, {"spring_arm_m", "spring_body_m"}, {"damper_arm_m", "damper_body_m"}},
-    .compose = semi_trailing};
+const Recipe semi_trailing_arm_recipe{.keyword = "semi_trailing_arm",
+                                      .title = "Semi-trailing arm",
+                                      .keys = {{"inner_bush_m", point, "inner end of the pivot axis"},
+                                               {"outer_bush_m", point, "outer end of the pivot axis"},
+                                               {"spring_arm_m", point, "spring's seat on the arm"},
+                                               {"spring_body_m", point, "spring's seat on the chassis"},
+                                               {"damper_arm_m", point, "damper's mount on the arm"},
+                                               {"damper_body_m", point, "damper's mount on the chassis"}},
+                                      .spring_part = "carrier",
+                                      .distinct_points = {{"inner_bush_m", "outer_bush_m"},
+                                                          {"spring_arm_m", "spring_body_m"},
+                                                          {"damper_arm_m", "damper_body_m"}},
+                                      .compose = semi_trailing};
 
 const Recipe trailing_arm_recipe{.keyword = "trailing_arm",
                                  .title = "Trailing arm",

@@ -1,7 +1,7 @@
 // Axles whose two wheels are one suspension: solid axles on links, with a Watt linkage, on leaf springs; the twist beam.
 //
 // A solid axle is free in space and loses four of its six freedoms; heave and roll remain, and they are the independent
-// coordinates whatever the links are: no link of a solid axle is upright, so over the whole travel none of them locks.
+// coordinates whatever the links are: no link of a solid axle is vertical, so over the whole travel none of them locks.
 #include "hamilcar/suspension/recipe.hpp"
 
 namespace hamilcar {
@@ -43,7 +43,7 @@ Composition free_axle(const Point& center) {
     return out;
 }
 
-Composition& steer_if_wanted(Composition& axle, const Hardpoints& p) {
+Composition& steer_if_requested(Composition& axle, const Hardpoints& p) {
     if (p.flag("steered")) add_steering(axle, p, 1);
     return axle;
 }
@@ -52,7 +52,7 @@ Composition four_link(const Hardpoints& p) {
     Composition out = free_axle(p["lower_axle_m"]);
     add_pair(out, "lower link", 1, p["lower_axle_m"], p["lower_body_m"]);
     add_pair(out, "upper link", 1, p["upper_axle_m"], p["upper_body_m"]);
-    return steer_if_wanted(out, p);
+    return steer_if_requested(out, p);
 }
 
 Composition three_links(const Hardpoints& p) {
@@ -65,7 +65,7 @@ Composition three_links(const Hardpoints& p) {
 Composition panhard(const Hardpoints& p) {
     Composition out = three_links(p);
     out.cut(CutJoint::distance, "Panhard rod", 1, p["panhard_axle_m"], 0, p["panhard_body_m"]);
-    return steer_if_wanted(out, p);
+    return steer_if_requested(out, p);
 }
 
 // The bell crank turns on the axle; two rods hold it to the chassis.
@@ -74,7 +74,7 @@ Composition watt(const Hardpoints& p) {
     const std::size_t crank = out.join(TreeJoint::revolute, "bell crank", 1, p["watt_pivot_m"], p["watt_axis"]);
     out.cut(CutJoint::distance, "left Watt rod", crank, p["watt_left_crank_m"], 0, p["watt_left_body_m"]);
     out.cut(CutJoint::distance, "right Watt rod", crank, p["watt_right_crank_m"], 0, p["watt_right_body_m"]);
-    return steer_if_wanted(out, p);
+    return steer_if_requested(out, p);
 }
 
 // Links equivalent to the leaves (SAE HS-788): as a leaf bends, its seat moves on an arc about a point between eye and seat,
@@ -91,7 +91,7 @@ Composition leaf(const Hardpoints& p) {
     tip[2] += raised, foot[2] += raised;
     out.cut(CutJoint::distance, "leaves' wind-up", 1, tip, 0, foot);
     out.cut(CutJoint::plane, "leaves' side", 1, middle(seat), 0, middle(seat)).axis = {0, 1, 0};
-    return steer_if_wanted(out, p);
+    return steer_if_requested(out, p);
 }
 
 // Two trailing arms that twist against each other about the beam's shear center line. Each bush slides along the line of
@@ -111,7 +111,7 @@ Composition twist_beam(const Hardpoints& p) {
     return out;
 }
 
-// What a solid axle needs to be steered, behind its own keys.
+// Appends the keys that a steered solid axle needs.
 std::vector<HardpointKey> with_steering(std::vector<HardpointKey> keys) {
     const std::vector<HardpointKey> steering{
         {"steered", HardpointKind::flag, "whether the wheels turn on kingpins", {0}},

@@ -1,6 +1,5 @@
 // How to make a suspension of parts: the hardpoints that a file gives, and the composition that follows from them. A recipe
-// has no kinematics; it names joints. What a person must write, what the JSON Schema says and what the page in docs/ shows
-// come from its list of keys.
+// has no kinematics; it names joints. The reader of files, the JSON Schema and the pages in docs/ all use its list of keys.
 #pragma once
 
 #include <array>
@@ -22,14 +21,14 @@ inline Point mirrored(const Point& p) {
 
 enum class HardpointKind { point, direction, flag, number, length };
 
-// One key of the table [axle.hardpoints] or [axle.rocker]. Directions, flags and numbers have a default; a length is that
-// between the points where the file does not give it.
+// One key of the table [axle.hardpoints] or [axle.rocker]. Directions, flags and numbers have a default; a length that
+// the file does not give is the distance between the points.
 struct HardpointKey {
     std::string_view key;
     HardpointKind kind = HardpointKind::point;
     std::string_view meaning;
-    Point otherwise{};          // of a direction, or of a flag or a number in its first place
-    bool only_steered = false;  // a point that is wanted where the axle is steered
+    Point default_value{};      // of a direction, or of a flag or a number in its first element
+    bool only_steered = false;  // a point that is required only if the axle is steered
 };
 
 // What was read, by key; flags are 0 or 1.
@@ -50,8 +49,8 @@ struct Hardpoints {
     }
 };
 
-// A part that has a mass or that springs may act on: on a two-wheel suspension its left and its right copy, or twice the
-// same.
+// A part that has a mass or that springs may act on: on a two-wheel suspension its left and its right copy, or the same one
+// twice.
 struct PartChoice {
     std::string name;
     std::size_t left = 1, right = 1;
@@ -66,12 +65,12 @@ struct Composition {
     LinkageDescription linkage;
     std::vector<PartChoice> parts;
     std::vector<std::size_t> carriers;                        // of the wheels, left first
-    std::size_t drive_reaction = 0;                           // part that the drive torque reacts on: 0 the hub
+    std::size_t drive_reaction = 0;                           // part that the drive torque reacts on: 0 the chassis
     std::optional<int> twist;                                 // coordinate of a twist beam
     std::optional<LineDescription> spring_line, damper_line;  // of [axle.spring] and [axle.damper] where the suspension
                                                               // itself says where they act
 
-    // Adds a joint and gives the number of the part it carries.
+    // Adds a joint and returns the number of the part it moves.
     std::size_t join(TreeJoint kind, const std::string& part, std::size_t parent, const Point& point,
                      const Point& axis = {}, const Point& second_axis = {}) {
         linkage.joints.push_back({kind, part, parent, point, axis, second_axis});
@@ -105,8 +104,8 @@ struct Recipe {
     std::vector<HardpointKey> keys;
     std::string_view spring_part;  // where springs and dampers act unless the file says otherwise
     bool may_have_rocker = false;
-    std::vector<std::array<std::string_view, 2>> apart{};  // keys of points that a part spans
-    Composition (*compose)(const Hardpoints&) = nullptr;   // of the left side, or of both wheels
+    std::vector<std::array<std::string_view, 2>> distinct_points{};  // pairs of keys whose points must differ
+    Composition (*compose)(const Hardpoints&) = nullptr;             // of the left side, or of both wheels
 };
 
 // Every recipe; a new one is one file and one line in recipes.cpp.

@@ -1,4 +1,4 @@
-// Single-wheel suspensions whose last link may sit on the rack: MacPherson strut, double wishbone, five links.
+// Single-wheel suspensions whose last link may be attached to the rack: MacPherson strut, double wishbone, five links.
 #include <string>
 
 #include "hamilcar/suspension/recipe.hpp"
@@ -13,7 +13,7 @@ constexpr HardpointKey not_steered{"steered", HardpointKind::flag, "whether the 
 constexpr HardpointKey rack_axis{
     "rack_axis", HardpointKind::direction, "in which a positive rack displacement moves that end", {0, 1, 0}};
 
-// A rod that the rack drives if the axle is steered.
+// A rod that the rack moves if the axle is steered.
 void add_rod(Composition& to, const Hardpoints& p, const char* name, std::size_t carrier, const Point& outer,
              const Point& inner) {
     CutJointDescription& rod = to.cut(CutJoint::distance, name, carrier, outer, 0, inner);
@@ -87,23 +87,24 @@ Composition five_link(const Hardpoints& p) {
 
 }  // namespace
 
-const Recipe macpherson_recipe{
-    .keyword = "macpherson",
-    .title = "MacPherson strut",
-    .keys = {{"strut_top_m", point, "top mount"},
-             {"slide_point_m", point, "a point of the strut's axis on the carrier"},
-             {"arm_front_m", point, "control arm's axis, front bush"},
-             {"arm_rear_m", point, "control arm's axis, rear bush"},
-             {"ball_joint_m", point, "control arm's ball on the carrier"},
-             {"rack_end_m", point, "tie rod, inner end"},
-             {"tie_rod_outer_m", point, "tie rod, end on the carrier"},
-             steered,
-             rack_axis,
-             {"arm_length_m", HardpointKind::length, "control arm's ball from its axis"},
-             {"tie_rod_length_m", HardpointKind::length, "between the tie rod's ends"}},
-    .spring_part = "carrier",
-    .apart = {{"strut_top_m", "slide_point_m"}, {"arm_front_m", "arm_rear_m"}, {"rack_end_m", "tie_rod_outer_m"}},
-    .compose = macpherson};
+const Recipe macpherson_recipe{.keyword = "macpherson",
+                               .title = "MacPherson strut",
+                               .keys = {{"strut_top_m", point, "top mount"},
+                                        {"slide_point_m", point, "a point of the strut's axis on the carrier"},
+                                        {"arm_front_m", point, "control arm's axis, front bush"},
+                                        {"arm_rear_m", point, "control arm's axis, rear bush"},
+                                        {"ball_joint_m", point, "control arm's ball on the carrier"},
+                                        {"rack_end_m", point, "tie rod, inner end"},
+                                        {"tie_rod_outer_m", point, "tie rod, end on the carrier"},
+                                        steered,
+                                        rack_axis,
+                                        {"arm_length_m", HardpointKind::length, "control arm's ball from its axis"},
+                                        {"tie_rod_length_m", HardpointKind::length, "between the tie rod's ends"}},
+                               .spring_part = "carrier",
+                               .distinct_points = {{"strut_top_m", "slide_point_m"},
+                                                   {"arm_front_m", "arm_rear_m"},
+                                                   {"rack_end_m", "tie_rod_outer_m"}},
+                               .compose = macpherson};
 
 const Recipe double_wishbone_recipe{.keyword = "double_wishbone",
                                     .title = "Double wishbone",

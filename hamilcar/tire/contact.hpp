@@ -1,6 +1,6 @@
-// Where a wheel touches the road, and what passes between contact and tire model (docs/models/forces.md, "Tire contact").
+// Contact of a wheel with the road, and the interface between contact and tire model (docs/models/forces.md, "Tire contact").
 //
-// Everything is in chassis axes about the chassis origin; only the road's plane is brought over from the ground. The depth
+// Everything is in chassis axes about the chassis origin; only the road's plane is transformed from ground axes. The depth
 // of the disc's lowest point below the plane has the exact rate -n.v0, so the vertical spring is conservative at any camber.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace hamilcar {
 
-// What a tire model is told.
+// Input of a tire model.
 template <class T>
 struct TireContact {
     T depth, depth_rate;  // of the lowest point below the road [m, m/s]
@@ -25,11 +25,11 @@ struct TireContact {
     T u, v;               // contact deflections, states [m]
 };
 
-// What it answers.
+// Output of a tire model.
 template <class T>
 struct TireForce {
     T Fx, Fy, Fz;      // [N]
-    T elastic;         // the part of Fz that a potential gives back [N]
+    T elastic;         // the conservative part of Fz [N]
     T rolling_moment;  // about the spin axis [N m]
     T Mx, Mz;          // overturning and aligning, about the contact's longitudinal direction and normal [N m]
     T u_rate, v_rate;  // [m/s]
@@ -53,17 +53,18 @@ struct ContactFrame {
 // With s = n.a and c = sqrt(1 - s^2) the disc's lowest point lies at -R (n - s a) / c from the center and the longitudinal
 // direction is a x n / c, so that a longitudinal force at P has the lever R - c depth about the axis a.
 template <class T>
-ContactFrame<T> contact_frame(const RoadPlane<T>& road, const Vec3<T>& center, const Vec3<T>& axis, const T& radius) {
+ContactFrame<T> contact_frame(const TangentPlane<T>& road, const Vec3<T>& center, const Vec3<T>& axis,
+                              const T& radius) {
     const Vec3<T>& n = road.normal;
     const T s = n.dot(axis);
-    const T cc = max(T(1) - s * s, T(1e-6));  // a wheel lying flat keeps a direction
-    const T c = sqrt(cc), inverse_c = over_root(T(1), cc), reach = radius * inverse_c;
+    const T cc = max(T(1) - s * s, T(1e-6));  // keeps the direction finite for a wheel lying flat
+    const T c = sqrt(cc), inverse_c = over_root(T(1), cc), distance = radius * inverse_c;
     ContactFrame<T> f;
     f.normal = n;
     f.longitudinal = axis.cross(n) * inverse_c;
     f.lateral = n.cross(f.longitudinal);
     f.depth = radius * c - (n.dot(center) - road.offset);
-    f.point = center + n * (f.depth - reach) + axis * (s * reach);
+    f.point = center + n * (f.depth - distance) + axis * (s * distance);
     f.lever = radius - c * f.depth;
     f.camber = s;
     return f;

@@ -1,6 +1,6 @@
-// Fiala's tire: constant stiffnesses, and one friction that falls with the whole of the slip (Fiala 1954, in the form that
-// multibody programs use: CSLIP, CALPHA, UMAX, UMIN). Unlike there, longitudinal and side force together never pass the
-// friction: both are scaled down by the same factor where they would.
+// Fiala's tire: constant stiffnesses, and one friction coefficient that falls with the combined slip (Fiala 1954, in the form
+// that multibody programs use: CSLIP, CALPHA, UMAX, UMIN). Unlike there, the combined longitudinal and side force never exceeds
+// the friction limit: both are scaled down by the same factor where it would.
 #pragma once
 
 #include "hamilcar/tire/slip_tire.hpp"
@@ -10,8 +10,8 @@ namespace hamilcar {
 template <class T>
 struct Fiala {
     static constexpr std::string_view keyword = "fiala";
-    T inverse_least_load;              // [1/N]
-    T least_load;                      // [N]
+    T inverse_min_load;                // [1/N]
+    T min_load;                        // [N]
     T stiffness_x, stiffness_y;        // [N]
     T static_friction, friction_drop;  // UMAX, UMAX - UMIN [1]
     T half_width;                      // [m]
@@ -19,14 +19,14 @@ struct Fiala {
     T relaxation_x, relaxation_y;      // [m]
     static constexpr auto members() {
         using F = Fiala;
-        return std::tuple(&F::inverse_least_load, &F::least_load, &F::stiffness_x, &F::stiffness_y, &F::static_friction,
+        return std::tuple(&F::inverse_min_load, &F::min_load, &F::stiffness_x, &F::stiffness_y, &F::static_friction,
                           &F::friction_drop, &F::half_width, &F::resistance, &F::relaxation_x, &F::relaxation_y);
     }
 
     Fiala() = default;
     explicit Fiala(const FialaDescription& d)
-        : inverse_least_load(1000 / d.cornering_stiffness),
-          least_load(0.001 * d.cornering_stiffness),
+        : inverse_min_load(1000 / d.cornering_stiffness),
+          min_load(0.001 * d.cornering_stiffness),
           stiffness_x(d.longitudinal_stiffness),
           stiffness_y(d.cornering_stiffness),
           static_friction(d.static_friction),
@@ -41,9 +41,9 @@ struct Fiala {
         T Fz, road;
     };
     AtLoad at_load(const T& load, const T&, const T& road) const {
-        const T largest = static_friction * road * load;
-        return {.limits = {stiffness_x, stiffness_y, largest, largest, stiffness_x / largest, stiffness_y / largest,
-                           relaxation_x, relaxation_y},
+        const T max_force = static_friction * road * load;
+        return {.limits = {stiffness_x, stiffness_y, max_force, max_force, stiffness_x / max_force,
+                           stiffness_y / max_force, relaxation_x, relaxation_y},
                 .Fz = load,
                 .road = road};
     }
@@ -52,7 +52,7 @@ struct Fiala {
         const T k = slip.longitudinal, slope = abs(slip.lateral), size = abs(k);
         const T whole = min(sqrt(k * k + slope * slope), T(1));
         const T largest = (static_friction - friction_drop * whole) * at.road * at.Fz;
-        // Beyond half the friction the elastic part gives way: |Fx| = mu Fz - (mu Fz)^2 / (4 CSLIP |k|).
+        // Partial sliding above half the friction: |Fx| = mu Fz - (mu Fz)^2 / (4 CSLIP |k|).
         const T elastic = stiffness_x * size;
         const T sliding = largest - largest * largest / (T(4) * max(elastic, T(0.5) * largest));
         const T along = select(elastic < T(0.5) * largest, elastic, sliding);

@@ -12,7 +12,7 @@ template <class T>
 struct LinearTire {
     static constexpr std::string_view keyword = "linear";
     static constexpr bool has_moments = false;
-    // Speed at which a sliding contact returns its surplus deflection [m/s]: high enough to follow the friction limit
+    // Speed at which a sliding contact relaxes its excess deflection [m/s]: high enough to follow the friction limit
     // within a hundredth of a second, low enough for an explicit 1 ms step.
     static constexpr double return_speed = 20;
 
@@ -53,7 +53,7 @@ struct LinearTire {
         const T x = Fz * load_scale, mu = friction * c.friction;
         const T c_y = cornering_at_zero / (T(1) + x * x);
 
-        // Sticking up to the friction circle of the elastic forces; beyond it the deflection returns, and the direction
+        // Sticking up to the friction circle of the elastic forces; beyond it the deflection relaxes, and the direction
         // of the force turns from the elastic one to that of sliding, against the slip velocity.
         const T k_x = c.u * curvature_x, k_y = c.v * curvature_y;
         const T elastic_x = slip_stiffness * k_x, elastic_y = c_y * k_y;

@@ -1,4 +1,4 @@
-// Every tire model the program knows. A new one is one line here.
+// All tire models; a new one is added here.
 #pragma once
 
 #include <variant>

@@ -42,14 +42,14 @@ MagicCoefficients scaled(const MagicFormulaDescription& d) {
     multiply(from[LMY] * std::pow(pressure_ratio, from[QSY8]), {QSY1, QSY2, QSY3, QSY4, QSY5, QSY6});
 
     multiply(from[LKY], {QBZ1, QBZ2, QBZ3, QBZ9});
-    multiply(c[PCY1], {QBZ10});  // it goes with B_y C_y
+    multiply(c[PCY1], {QBZ10});  // scales with B_y C_y
     multiply(from[LTR] * (1 - from[PPZ1] * dpi), {QDZ1, QDZ2});
     multiply(from[LRES], {QDZ6, QDZ7});
     multiply(from[LKZC] * (1 + from[PPZ2] * dpi), {QDZ8, QDZ9});
     multiply(from[LKZC], {QDZ10, QDZ11});
     multiply(from[LS], {SSZ1, SSZ2, SSZ3, SSZ4});
 
-    if (d.angle_slip) {  // older sets scale the camber itself, and their rolling resistance goes with the load
+    if (d.angle_slip) {  // older sets scale the camber itself, and their rolling resistance is proportional to the load
         c[QSY7] = 1;
         multiply(from[LGAX] * from[LGAX], {PDX3});
         multiply(from[LGAY] * from[LGAY], {PDY3});
@@ -58,7 +58,7 @@ MagicCoefficients scaled(const MagicFormulaDescription& d) {
         multiply(from[LGAZ] * from[LGAZ], {QDZ4});
         multiply(from[LFZO], {QDZ1, QDZ2, SSZ2});
     }
-    // A step knows LFZO FNOMIN only; these are stated for FNOMIN itself, and with them the front factor of (4.E70).
+    // A step uses LFZO FNOMIN only; these coefficients refer to FNOMIN itself, as does the leading factor of (4.E70).
     multiply(from[LFZO], {QSX3, QSX6, QSX9, QSX11, QSY2, QSY6, PTX1, PTX2});
     multiply(std::pow(from[LFZO], c[QSY7] - 1), {QSY1, QSY2, QSY3, QSY4, QSY5, QSY6});
     return c;

@@ -6,10 +6,10 @@ namespace hamilcar {
 
 namespace {
 
-// Side force, overturning and aligning moment are odd in slip angle and camber together but for these. QDZ3 goes with the
-// camber in older sets and with its size in later ones.
+// Side force, overturning and aligning moment are odd functions of slip angle and camber, except for these coefficients. QDZ3
+// multiplies the camber in older sets and its magnitude in later ones.
 template <class F>
-void for_each_skew(MagicFormulaDescription& tire, F&& f) {
+void for_each_asymmetric(MagicFormulaDescription& tire, F&& f) {
     for (const MagicName name :
          {RHX1, QSX1, PEY3, PHY1, PHY2, PVY1, PVY2, RBY3, RVY1, RVY2, QBZ4, QDZ6, QDZ7, QEZ4, QHZ1, QHZ2, SSZ1}) {
         f(tire.coefficients[name]);
@@ -20,7 +20,7 @@ void for_each_skew(MagicFormulaDescription& tire, F&& f) {
 }  // namespace
 
 MagicFormulaDescription mirrored(MagicFormulaDescription tire) {
-    for_each_skew(tire, [](double& c) { c = -c; });
+    for_each_asymmetric(tire, [](double& c) { c = -c; });
     tire.angle = {-tire.angle[1], -tire.angle[0]};
     tire.camber = {-tire.camber[1], -tire.camber[0]};
     return tire;
@@ -32,7 +32,7 @@ TireDescription mirrored(const TireDescription& tire) {
 }
 
 MagicFormulaDescription symmetric(MagicFormulaDescription tire) {
-    for_each_skew(tire, [](double& c) { c = 0; });
+    for_each_asymmetric(tire, [](double& c) { c = 0; });
     return tire;
 }
 

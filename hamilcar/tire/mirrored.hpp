@@ -1,4 +1,4 @@
-// The same tire on the other side of the car: what is skew in its coefficients changes sign.
+// The same tire on the other side of the car: asymmetric coefficients change sign.
 #pragma once
 
 #include "hamilcar/description/tire.hpp"
@@ -7,7 +7,7 @@ namespace hamilcar {
 
 MagicFormulaDescription mirrored(MagicFormulaDescription tire);
 TireDescription mirrored(const TireDescription& tire);
-// Without anything skew: no ply steer, no conicity.
+// Without asymmetry: no ply steer, no conicity.
 MagicFormulaDescription symmetric(MagicFormulaDescription tire);
 
 }  // namespace hamilcar

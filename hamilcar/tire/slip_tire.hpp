@@ -1,11 +1,11 @@
-// A tire whose forces are curves over slip: what all of them share. The curves are stated for steady rolling; here they
+// Base of all tires whose forces are curves over slip. The curves are given for steady rolling; here they
 // become forces that are smooth functions of time at every speed, zero included (docs/models/tires.md, "From slip to force").
 //
-//     k = u / sigma_x, v / sigma_y               slip that the contact's deflection stands for
-//     rho^2 = (K_x k_x / D_x)^2 + (K_y k_y / D_y)^2     beyond 1 the contact slides and lets go of its deflection
+//     k = u / sigma_x, v / sigma_y               slip equivalent to the contact's deflection
+//     rho^2 = (K_x k_x / D_x)^2 + (K_y k_y / D_y)^2     above 1 the contact slides and its deflection relaxes
 //     e = max(0, 1 - 1/rho^2),  w = min(w_s, g |v_s| max(K/D)),  |v_s| = |v_sx| + |v_sy|
 //     u' = -v_sx - (|v_x| + w e) k_x,  v' = -v_sy - (|v_x| + w e) k_y
-//     kappa = k (1 + w e / max(|v_x|, v_0))      slip that the curves are asked for
+//     kappa = k (1 + w e / max(|v_x|, v_0))      slip at which the curves are evaluated
 // In steady rolling k (|v_x| + w e) = -v_s, so kappa = -v_s / |v_x| whatever e is: the curves come out as they were measured.
 // At a standstill w falls with the slip velocity, so the contact is a spring that slides at its limit: no pole, no jump.
 #pragma once
@@ -18,7 +18,7 @@
 
 namespace hamilcar {
 
-// What a set of curves says of a load, before any slip.
+// Properties of the curves at a load, before any slip.
 template <class T>
 struct SlipLimits {
     T stiffness_x, stiffness_y;    // K: force per slip at zero slip [N]
@@ -27,7 +27,7 @@ struct SlipLimits {
     T relaxation_x, relaxation_y;  // sigma [m]
 };
 
-// What it is asked for ...
+// Input of the curves.
 template <class T>
 struct Slip {
     T longitudinal;  // kappa: -v_sx / |v_x| [1]
@@ -36,11 +36,11 @@ struct Slip {
     T v_x;           // [m/s]
 };
 
-// ... and answers: forces, and moments without those of the forces' lever.
+// Output of the curves: forces, and moments without those from the lever arms of the forces.
 template <class T>
 struct SlipForces {
     T Fx, Fy, Mx, Mz;  // [N, N m]
-    T resistance;      // of rolling, against the spin [N m]
+    T resistance;      // to rolling, against the spin [N m]
 };
 
 // The radial spring with its damper.
@@ -65,19 +65,19 @@ struct Casing {
           carcass_damping(d.carcass_damping) {}
 };
 
-// `Curves` has at_load(Fz, camber, friction), whose answer holds SlipLimits, and forces(that answer, slip). It is never asked
-// for less than its `least_load`; below, forces fall with the load.
+// `Curves` has at_load(Fz, camber, friction), whose result contains SlipLimits, and forces(that result, slip). It is never
+// evaluated below its `min_load`, where forces are proportional to the load.
 //
-// Quotients wait long for one another and block the unit that makes them, so that several share one (`reciprocals`).
+// Divisions have high latency and do not pipeline, so several share one (`reciprocals`).
 template <class T, template <class> class Curves>
 struct SlipTire {
     static constexpr std::string_view keyword = Curves<T>::keyword;
     static constexpr bool has_moments = true;
-    static constexpr double return_speed = 20;    // w_s: keeps the pole of fast sliding in reach of a 1 ms step [m/s]
-    static constexpr double return_share = 0.6;   // g: slow sliding at a standstill deflects the contact by about 2 D/K
-    static constexpr double standing_speed = 2;   // v_0 [m/s]
-    static constexpr double least_length = 0.05;  // of relaxation [m] ...
-    static constexpr double least_time = 1.0 / 300;  // ... and its time while rolling [s]
+    static constexpr double return_speed = 20;   // w_s: keeps the pole of fast sliding stable at a 1 ms step [m/s]
+    static constexpr double return_share = 0.6;  // g: slow sliding at a standstill deflects the contact by about 2 D/K
+    static constexpr double standing_speed = 2;  // v_0 [m/s]
+    static constexpr double min_relaxation_length = 0.05;     // [m] ...
+    static constexpr double min_relaxation_time = 1.0 / 300;  // ... and, while rolling, speed times this [s]
 
     T radius, rolling_radius;  // [m]
     Casing<T> casing;
@@ -92,20 +92,20 @@ struct SlipTire {
     explicit SlipTire(const Description& d)
         : radius(d.casing.radius), rolling_radius(d.casing.rolling_radius), casing(d.casing), curves(d) {}
 
-    // Out of line: the curves are long, and every kind of suspension would repeat them.
+    // Not inlined: the curves are long, and every suspension type would duplicate them.
     [[gnu::noinline]] TireForce<T> force(const TireContact<T>& c) const {
         const T pressed = max(c.depth, T(0)), elastic = pressed * (casing.stiffness + casing.growth * pressed);
         const T Fz = select(c.depth > T(0), max(elastic + casing.damping * c.depth_rate, T(0)), T(0));
-        const T load = max(Fz, curves.least_load), share = min(Fz * curves.inverse_least_load, T(1));
+        const T load = max(Fz, curves.min_load), share = min(Fz * curves.inverse_min_load, T(1));
         const auto at = curves.at_load(load, c.camber, c.friction);
         const SlipLimits<T>& limit = at.limits;
 
-        const T speed = abs(c.v_x), shortest = T(least_length) + T(least_time) * speed;
+        const T speed = abs(c.v_x), shortest = T(min_relaxation_length) + T(min_relaxation_time) * speed;
         const auto curvature =
             reciprocals<T, 2>({max(limit.relaxation_x, shortest), max(limit.relaxation_y, shortest)});
         const T k_x = c.u * curvature[0], k_y = c.v * curvature[1];
         const T rho_x = limit.softness_x * k_x, rho_y = limit.softness_y * k_y;
-        // A standing contact points nowhere and a standing wheel resists nothing: both fade smoothly with speed.
+        // Direction of travel and rolling resistance vanish at a standstill; both fade smoothly with speed.
         const auto over =
             reciprocals<T, 4>({max(rho_x * rho_x + rho_y * rho_y, T(1)), max(speed, T(standing_speed)),
                                sqrt(c.v_x * c.v_x + c.v_sy * c.v_sy + T(0.01)), sqrt(c.omega * c.omega + T(1))});

@@ -1,4 +1,4 @@
-// A frictionless vertical spring that pulls as well as it pushes: no limit, no loss. For ride and energy studies.
+// A frictionless linear vertical spring that also pulls: no limit, no loss. For ride and energy studies.
 #pragma once
 
 #include "hamilcar/description/tire.hpp"

@@ -1,6 +1,6 @@
-// Rill's TMeasy (Rill, Road Vehicle Dynamics, 2011, 3.3; "TMeasy - the handling tire model", 2013): a characteristic by its
-// initial stiffness, its peak and its full sliding, given at a load and at twice that load. Slip counts against the rolling
-// speed; both directions are brought to a common slip, in whose direction the force is looked up.
+// Rill's TMeasy (Rill, Road Vehicle Dynamics, 2011, 3.3; "TMeasy - the handling tire model", 2013): a characteristic given by its
+// initial stiffness, its peak and its full sliding, at a load and at twice that load. Slip is relative to the rolling speed; both
+// directions are combined into a common slip, and the force acts in its direction.
 #pragma once
 
 #include "hamilcar/tire/slip_tire.hpp"
@@ -16,7 +16,7 @@ struct OverLoad {
     OverLoad(double once, double twice) : p(2 * once - 0.5 * twice), q(0.5 * twice - once) {}
     T operator()(const T& x) const { return x * (p + q * x); }
 };
-// The same for a quantity that is not zero there: on a straight line.
+// Likewise for a quantity that is not zero at zero load: linear.
 template <class T>
 struct AlongLoad {
     T once, more;
@@ -45,7 +45,7 @@ struct TmeasyDirection {
     struct Curve {
         T stiffness, peak_force, sliding_force, peak_slip, sliding_slip;
     };
-    // Friction scales the forces and the slips they are reached at: the stiffness stays.
+    // Friction scales the forces and their slips, so that the stiffness is unchanged.
     Curve at(const T& x, const T& friction) const {
         return {stiffness(x), peak_force(x) * friction, sliding_force(x) * friction, peak_slip(x) * friction,
                 sliding_slip(x) * friction};
@@ -55,8 +55,8 @@ struct TmeasyDirection {
 template <class T>
 struct Tmeasy {
     static constexpr std::string_view keyword = "tmeasy";
-    T inverse_least_load;                              // [1/N]
-    T least_load, largest_load, inverse_nominal_load;  // [N, N, 1/N]
+    T inverse_min_load;                          // [1/N]
+    T min_load, max_load, inverse_nominal_load;  // [N, N, 1/N]
     TmeasyDirection<T> longitudinal, lateral;
     AlongLoad<T> trail, trail_vanishes, trail_ends;
     T contact_length;        // at the nominal load [m]
@@ -64,16 +64,16 @@ struct Tmeasy {
     T carcass_x, carcass_y;  // 1 / stiffness [m/N]
     static constexpr auto members() {
         using M = Tmeasy;
-        return std::tuple(&M::inverse_least_load, &M::least_load, &M::largest_load, &M::inverse_nominal_load,
-                          &M::longitudinal, &M::lateral, &M::trail, &M::trail_vanishes, &M::trail_ends,
-                          &M::contact_length, &M::friction, &M::resistance, &M::carcass_x, &M::carcass_y);
+        return std::tuple(&M::inverse_min_load, &M::min_load, &M::max_load, &M::inverse_nominal_load, &M::longitudinal,
+                          &M::lateral, &M::trail, &M::trail_vanishes, &M::trail_ends, &M::contact_length, &M::friction,
+                          &M::resistance, &M::carcass_x, &M::carcass_y);
     }
 
     Tmeasy() = default;
     explicit Tmeasy(const TmeasyDescription& d)
-        : inverse_least_load(50 / d.nominal_load),
-          least_load(0.02 * d.nominal_load),
-          largest_load(3 * d.nominal_load),
+        : inverse_min_load(50 / d.nominal_load),
+          min_load(0.02 * d.nominal_load),
+          max_load(3 * d.nominal_load),
           inverse_nominal_load(1 / d.nominal_load),
           longitudinal(d.longitudinal),
           lateral(d.lateral),
@@ -93,7 +93,7 @@ struct Tmeasy {
         Curve along, across;
     };
     AtLoad at_load(const T& load, const T&, const T& road) const {
-        const T Fz = min(load, largest_load), x = Fz * inverse_nominal_load, own = friction * road;
+        const T Fz = min(load, max_load), x = Fz * inverse_nominal_load, own = friction * road;
         const Curve along = longitudinal.at(x, own), across = lateral.at(x, own);
         return {.limits = {along.stiffness, across.stiffness, along.peak_force, across.peak_force,
                            along.stiffness / along.peak_force, across.stiffness / across.peak_force,
@@ -104,36 +104,37 @@ struct Tmeasy {
                 .across = across};
     }
 
-    SlipForces<T> forces(const AtLoad& at, const Slip<T>& asked) const {
-        const T rolling = max(T(1) + asked.longitudinal * asked.ahead, T(0.02));
-        const T s_x = asked.longitudinal / rolling, s_y = -asked.lateral / rolling;
+    SlipForces<T> forces(const AtLoad& at, const Slip<T>& slip) const {
+        const T rolling = max(T(1) + slip.longitudinal * slip.ahead, T(0.02));
+        const T s_x = slip.longitudinal / rolling, s_y = -slip.lateral / rolling;
         const Curve &X = at.along, &Y = at.across;
-        // Common slip: each direction in units of its own reach.
+        // Common slip: each direction is normalized by its own slip scale.
         const T peaks = T(1) / (X.peak_slip + Y.peak_slip);
         const T bend_x = X.peak_force / X.stiffness, bend_y = Y.peak_force / Y.stiffness;
         const T bends = T(1) / (bend_x + bend_y);
-        const T reach_x = X.peak_slip * peaks + bend_x * bends, reach_y = Y.peak_slip * peaks + bend_y * bends;
-        const T n_x = s_x / reach_x + T(1e-15), n_y = s_y / reach_y;  // without slip it points ahead, with no force
-        const T s = sqrt(n_x * n_x + n_y * n_y), cosine_ = n_x / s, sine_ = n_y / s;
-        const auto together = [&](const T& x, const T& y) {
-            const T a = x * cosine_, b = y * sine_;
+        const T scale_x = X.peak_slip * peaks + bend_x * bends, scale_y = Y.peak_slip * peaks + bend_y * bends;
+        const T n_x = s_x / scale_x + T(1e-15),
+                n_y = s_y / scale_y;  // without slip the direction is forward and the force zero
+        const T s = sqrt(n_x * n_x + n_y * n_y), cos_slip = n_x / s, sin_slip = n_y / s;
+        const auto combine = [&](const T& x, const T& y) {
+            const T a = x * cos_slip, b = y * sin_slip;
             return T(sqrt(a * a + b * b));
         };
-        const Curve all{together(X.stiffness * reach_x, Y.stiffness * reach_y), together(X.peak_force, Y.peak_force),
-                        together(X.sliding_force, Y.sliding_force),
-                        together(X.peak_slip / reach_x, Y.peak_slip / reach_y),
-                        together(X.sliding_slip / reach_x, Y.sliding_slip / reach_y)};
-        const T force = lookup(all, s), Fy = force * sine_;
-        return {.Fx = force * cosine_,
+        const Curve common{combine(X.stiffness * scale_x, Y.stiffness * scale_y), combine(X.peak_force, Y.peak_force),
+                           combine(X.sliding_force, Y.sliding_force),
+                           combine(X.peak_slip / scale_x, Y.peak_slip / scale_y),
+                           combine(X.sliding_slip / scale_x, Y.sliding_slip / scale_y)};
+        const T force = lookup(common, s), Fy = force * sin_slip;
+        return {.Fx = force * cos_slip,
                 .Fy = Fy,
                 .Mx = T(0),
-                .Mz = -trail_at(at, abs(s_y)) * Fy * asked.ahead,
+                .Mz = -trail_at(at, abs(s_y)) * Fy * slip.ahead,
                 .resistance = resistance * at.Fz};
     }
 
 private:
-    // Rising to the peak as a quotient; falling along two parabolas that meet without a kink, the first with the curvature of
-    // the peak, or as a cubic where sliding begins too early for that.
+    // A rational function up to the peak; then two parabolas that join smoothly, the first with the curvature of the peak, or a
+    // cubic where sliding begins too early for that.
     static T lookup(const Curve& c, const T& s) {
         const T r = s / c.peak_slip, slope = max(c.stiffness, T(2) * c.peak_force / c.peak_slip);
         const T rising = slope * s / (T(1) + r * (r + slope * c.peak_slip / c.peak_force - T(2)));
@@ -147,7 +148,7 @@ private:
         return select(s < c.peak_slip, rising, select(meet < way, parabolas, cubic));
     }
 
-    // Falls through zero at the first slip, and comes back to zero from below at the second.
+    // Falls through zero at the first slip and returns to zero from below at the second.
     T trail_at(const AtLoad& at, const T& s_y) const {
         const T first = trail_vanishes(at.x), last = trail_ends(at.x), w = first / last;
         const T length = contact_length * sqrt(at.x), start = trail(at.x) * length;

@@ -1,4 +1,4 @@
-// From a description to the constants of a car, for any scalar.
+// From a description to the constants of a car, for any scalar type.
 #pragma once
 
 #include <stdexcept>
@@ -21,12 +21,12 @@ Vehicle<T>::Vehicle(const VehicleDescription& d)
     for (const AntiRollBarDescription& bar : d.anti_roll_bars) {
         anti_roll_bars.push_back({static_cast<int>(bar.left), static_cast<int>(bar.right), T(bar.rate)});
     }
-    state_size = hub_size;
+    state_size = chassis_size;
     add_suspensions(d);
     add_powertrain(d);
 }
 
-// And trailers, one after the other.
+// Suspensions, then trailers, in the order of the description.
 template <class T>
 void Vehicle<T>::add_suspensions(const VehicleDescription& d) {
     if (d.suspensions.size() > std::size_t{max_suspensions} || d.trailers.size() > std::size_t{max_trailers}) {
@@ -46,19 +46,19 @@ void Vehicle<T>::add_suspensions(const VehicleDescription& d) {
     }
 }
 
-// Behind everything else. Rotors turn by themselves: their spin inertia is none of the chassis's.
+// Last in the state. Rotors spin on their own: their spin inertia is not part of the chassis's.
 template <class T>
 void Vehicle<T>::add_powertrain(const VehicleDescription& d) {
     powertrain = make_powertrain<T>(d);
     powertrain.offset = state_size;
     state_size += powertrain.size();
     for (const PowerUnit<T>& unit : powertrain.units) {
-        take_rotor_out(unit.axis, unit.inertia, chassis_inertia.inertia);
+        subtract_rotor(unit.axis, unit.inertia, chassis_inertia.inertia);
     }
     if (state_size > state_capacity) throw std::length_error("the vehicle has more coordinates than a state can hold");
 }
 
-// vehicle.cpp compiles this for all.
+// Compiled once, in vehicle.cpp.
 extern template Vehicle<double>::Vehicle(const VehicleDescription&);
 extern template void Vehicle<double>::add_suspensions(const VehicleDescription&);
 extern template void Vehicle<double>::add_powertrain(const VehicleDescription&);

@@ -1,4 +1,5 @@
-// From the description of what drives a vehicle to constants: the torsion of its shafts gear by gear, seen from the rotors.
+// From the description of the powertrain to its constants: the torsional stiffness of the shafts in each gear, reflected to
+// the rotors.
 #pragma once
 
 #include <algorithm>
@@ -13,29 +14,29 @@ namespace hamilcar {
 
 namespace detail {
 
-inline constexpr double never_slips = 1e9;  // capacity of a clutch that is none [N m]
+inline constexpr double unlimited_torque = 1e9;  // capacity of a clutch that never slips [N m]
 
-// What hangs on an output while the wheels are off the ground: inertia and torsional compliance, as it feels them.
-struct Hanging {
+// Inertia and torsional compliance reflected to an output, with the wheels off the ground.
+struct ReflectedLoad {
     double inertia, compliance;  // [kg m^2], [rad/(N m)]
 };
 
-inline Hanging hanging_on(const VehicleDescription& d, const std::vector<double>& wheel_inertia,
-                          const DifferentialDescription& differential);
+inline ReflectedLoad reflected_load(const VehicleDescription& d, const std::vector<double>& wheel_inertia,
+                                    const DifferentialDescription& differential);
 
-inline Hanging hanging_on(const VehicleDescription& d, const std::vector<double>& wheel_inertia,
-                          const DifferentialDescription::Output& output) {
+inline ReflectedLoad reflected_load(const VehicleDescription& d, const std::vector<double>& wheel_inertia,
+                                    const DifferentialDescription::Output& output) {
     if (output.wheel) return {wheel_inertia[output.number], 0};
-    return hanging_on(d, wheel_inertia, d.differentials[output.number]);
+    return reflected_load(d, wheel_inertia, d.differentials[output.number]);
 }
 
-// Both outputs turn alike: inertias and stiffnesses add.
-inline Hanging hanging_on(const VehicleDescription& d, const std::vector<double>& wheel_inertia,
-                          const DifferentialDescription& differential) {
-    Hanging sum{0, 0};
+// With both outputs at the same speed inertias and stiffnesses add.
+inline ReflectedLoad reflected_load(const VehicleDescription& d, const std::vector<double>& wheel_inertia,
+                                    const DifferentialDescription& differential) {
+    ReflectedLoad sum{0, 0};
     double stiffness = 0;
     for (const auto& output : differential.outputs) {
-        const Hanging one = hanging_on(d, wheel_inertia, output);
+        const ReflectedLoad one = reflected_load(d, wheel_inertia, output);
         sum.inertia += one.inertia;
         stiffness += 1 / (1 / differential.shaft_stiffness + one.compliance);
     }
@@ -50,10 +51,11 @@ inline double reduced(double a, double b) {
 template <class T>
 Differential<T> make_differential(const VehicleDescription& d, const std::vector<double>& wheel_inertia,
                                   const DifferentialDescription& one, std::vector<int>& driven) {
-    const Hanging a = hanging_on(d, wheel_inertia, one.outputs[0]), b = hanging_on(d, wheel_inertia, one.outputs[1]);
+    const ReflectedLoad a = reflected_load(d, wheel_inertia, one.outputs[0]),
+                        b = reflected_load(d, wheel_inertia, one.outputs[1]);
     const double compliance = 2 / one.shaft_stiffness + a.compliance + b.compliance;
     const double damping = 2 * one.damping_ratio * std::sqrt(reduced(a.inertia, b.inertia) / compliance);
-    const double preload = one.kind == DifferentialKind::locked ? never_slips : one.preload;
+    const double preload = one.kind == DifferentialKind::locked ? unlimited_torque : one.preload;
     Differential<T> out{.ratio = T(one.ratio),
                         .share = T(one.share),
                         .preload = T(preload),
@@ -76,7 +78,7 @@ Differential<T> make_differential(const VehicleDescription& d, const std::vector
 }
 
 template <class T>
-Gears<T> make_gears(const PowerUnitDescription& unit, const Hanging& behind) {
+Gears<T> make_gears(const PowerUnitDescription& unit, const ReflectedLoad& behind) {
     Gears<T> gears;
     std::vector<double> ratios{-unit.gearbox.reverse_ratio, 0};
     ratios.insert(ratios.end(), unit.gearbox.ratios.begin(), unit.gearbox.ratios.end());
@@ -101,7 +103,7 @@ Converter<T> make_converter(const ConverterDescription& d) {
 template <class T>
 PowerUnit<T> make_unit(const VehicleDescription& d, const std::vector<double>& wheel_inertia,
                        const PowerUnitDescription& unit) {
-    const Hanging behind = hanging_on(d, wheel_inertia, d.differentials[unit.output]);
+    const ReflectedLoad behind = reflected_load(d, wheel_inertia, d.differentials[unit.output]);
     PowerUnit<T> out{.source = std::visit([](const auto& source) { return make_source<T>(source); }, unit.source),
                      .inertia = T(unit.inertia),
                      .inverse_inertia = T(1 / unit.inertia),
@@ -114,14 +116,14 @@ PowerUnit<T> make_unit(const VehicleDescription& d, const std::vector<double>& w
                      .output = static_cast<int>(unit.output)};
     out.converter.present = T(0);
     if (const auto* clutch = std::get_if<ClutchDescription>(&unit.coupling)) {
-        out.capacity = T(clutch->capacity > 0 ? clutch->capacity : never_slips);
+        out.capacity = T(clutch->capacity > 0 ? clutch->capacity : unlimited_torque);
     } else {
         const auto& converter = std::get<ConverterDescription>(unit.coupling);
         out.converter = make_converter<T>(converter);
         out.capacity = T(converter.lockup_capacity);
-        constexpr double lively = 1.5;  // times the idle speed
+        constexpr double min_speed = 1.5;  // of the turbine for lockup, times the idle speed
         if (const auto* engine = std::get_if<EngineDescription>(&unit.source)) {
-            out.converter.bridged_from = T(lively * engine->idle_speed);
+            out.converter.lockup_min_speed = T(min_speed * engine->idle_speed);
         }
     }
     return out;
@@ -129,7 +131,7 @@ PowerUnit<T> make_unit(const VehicleDescription& d, const std::vector<double>& w
 
 }  // namespace detail
 
-// `wheel_inertia`: about the spin axis, in the vehicle's order of wheels [kg m^2].
+// `wheel_inertia`: about the spin axis, of all wheels [kg m^2].
 template <class T>
 Powertrain<T> make_powertrain(const VehicleDescription& d) {
     std::vector<double> wheel_inertia;
@@ -145,9 +147,9 @@ Powertrain<T> make_powertrain(const VehicleDescription& d) {
     return out;
 }
 
-// An inertia without the part that turns with a rotor: J - I e e^T.
+// Subtracts a rotor's spin inertia: J - I e e^T.
 template <class T>
-void take_rotor_out(const Vec3<T>& e, const T& I, Symmetric3<T>& J) {
+void subtract_rotor(const Vec3<T>& e, const T& I, Symmetric3<T>& J) {
     J.xx -= I * e[0] * e[0], J.yy -= I * e[1] * e[1], J.zz -= I * e[2] * e[2];
     J.xy -= I * e[0] * e[1], J.yz -= I * e[1] * e[2], J.xz -= I * e[0] * e[2];
 }

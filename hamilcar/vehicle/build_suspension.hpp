@@ -52,12 +52,13 @@ inline void check_sizes(const SuspensionDescription& d) {
         coordinates - equations < 1 || d.bodies.size() > std::size_t{max_bodies} ||
         d.wheels.size() > std::size_t{max_wheels} || d.springs.size() > std::size_t{max_axial_elements} ||
         d.dampers.size() > std::size_t{max_axial_elements}) {
-        throw std::length_error(d.name + ": a suspension has at most 12 coordinates, 9 cut equations, 3 freedoms, 6 " +
+        throw std::length_error(d.name +
+                                ": a suspension has at most 12 coordinates, 9 cut equations, 3 degrees of freedom, 6 " +
                                 "bodies, 2 wheels, 6 springs and 6 dampers");
     }
 }
 
-// `offset`: where its numbers start in a state.
+// `offset`: index of its first number in a state.
 template <class T>
 Suspension<T> make_suspension(const SuspensionDescription& d, int offset, int first_wheel) {
     check_sizes(d);

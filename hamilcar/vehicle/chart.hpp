@@ -1,4 +1,4 @@
-// Charts: which numbers stand for the chassis's orientation and momentum. Both carry the same physics, the total linear
+// Charts: coordinates for the chassis's orientation and momentum. Both describe the same physics, the total linear
 // momentum p and the total angular momentum L about the moving chassis origin, in ground axes:
 //     p' = F,   L' = N_O - r' x p
 //
@@ -11,7 +11,7 @@
 
 namespace hamilcar {
 
-// What a chart turns rates of the physics into.
+// The physical rates, which a chart converts to those of its coordinates.
 template <class T>
 struct ChassisRates {
     Vec3<T> velocity;          // of the chassis origin, ground axes

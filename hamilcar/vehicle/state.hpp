@@ -1,9 +1,9 @@
-// Everything that is integrated, and nothing else: one flat row of numbers with names, trivially copyable.
+// Everything that is integrated, and nothing else: one flat vector with named parts, trivially copyable.
 //
 //   chassis  position r (3), orientation (4), momentum (6), work (1)
 //   then suspensions and trailers (suspension.hpp), and the powertrain
-// The meaning of orientation and momentum is the chart's (chart.hpp); `work` is what left and entered as non-conservative
-// power, integrated along so that the energy balance can be checked at any time.
+// The chart (chart.hpp) defines orientation and momentum; `work` is the integral of the nonconservative power, so that the
+// energy balance can be checked at any time.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace hamilcar {
 
 template <class T>
 struct State {
-    static constexpr int hub_size = hamilcar::hub_size;
+    static constexpr int chassis_size = hamilcar::chassis_size;
     std::array<T, state_capacity> values{};  // a vehicle uses the first `state_size` of them
 
     auto position() { return Eigen::Map<Vec3<T>>(values.data()); }
@@ -28,7 +28,7 @@ struct State {
     const T& work() const { return values[13]; }
 };
 
-// The numbers of a vehicle, from one state to another.
+// Copies the first `size` numbers.
 template <class T>
 void copy_state(const State<T>& from, int size, State<T>& to) {
     std::copy_n(from.values.begin(), size, to.values.begin());

@@ -1,5 +1,5 @@
-// The constants of a suspension, with everything that hangs on it, and of a trailer: a hub that is itself carried by a
-// linkage, the hitch. Both know where in a state their numbers stand.
+// The constants of a suspension, with everything attached to it, and of a trailer, whose chassis is attached by a linkage of
+// its own, the hitch. Both know the offset of their numbers in a state.
 //
 //   suspension  independent V, dependent W, momenta P_V, then wheel by wheel: spin momentum, brake wind-up, u and v of each tire
 //   trailer     hitch angles, their momenta
@@ -35,8 +35,8 @@ struct SuspensionBody {
 template <class T>
 struct SuspensionWheel {
     int frame, tires;  // tires: one, or two (dual tires)
-    int reaction;      // frame that the drive torque reacts on; 0: the hub
-    int offset;        // of its first number from the suspension's
+    int reaction;      // frame that the drive torque reacts on; 0: the chassis
+    int offset;        // of its first number from that of the suspension
     Wheel<T> wheel;
     T half_spacing;  // of two tires from the wheel's center along the axis [m]
     Stop<T> bump, rebound;
@@ -65,7 +65,7 @@ struct SuspensionDamper {
     static constexpr auto members() { return std::tuple(&SuspensionDamper::line, &SuspensionDamper::damper); }
 };
 
-// Pointers into the row of a state.
+// Pointers into a state.
 template <class Number>
 struct SuspensionState {
     Number *independent, *dependent, *momentum;
@@ -83,7 +83,7 @@ struct Suspension {
     Linkage<T> linkage;
     std::vector<SuspensionBody<T>> bodies;
     std::vector<SuspensionWheel<T>> wheels;
-    // The two wheels of an axle side by side, where T has a number for that: none or one.
+    // The two wheels of an axle side by side, where T has pairs: none or one.
     std::vector<SuspensionWheel<Paired<T>>> both_wheels;
     std::vector<SuspensionSpring<T>> springs;
     std::vector<SuspensionDamper<T>> dampers;
@@ -94,7 +94,7 @@ struct Suspension {
                           &S::dampers, &S::inverse_design_determinant);
     }
 
-    // How many numbers of a state are its own.
+    // How many numbers it has in a state.
     int size() const {
         int count = linkage.nq() + linkage.nV();
         for (const SuspensionWheel<T>& wheel : wheels) count += SuspensionWheel<T>::size(wheel.tires);
@@ -112,16 +112,16 @@ struct Suspension {
     }
 };
 
-// Numbers of one suspension in a state, at most.
+// The most numbers of one suspension in a state.
 inline constexpr int suspension_capacity =
     max_coordinates + max_freedoms + max_wheels * SuspensionWheel<double>::size(max_tires);
 
-// Two neighbors of one shape side by side in a number, as the left and the right wheel's. Their `offset` is zero.
+// Two neighboring suspensions of the same structure side by side, such as left and right. `both.offset` is zero.
 template <class S>
 struct SuspensionPair {
     Suspension<S> both;
     std::array<int, 2> offset;  // of each in the state
-    int first;                  // number of the first
+    int first;                  // index of the first
 };
 
 // The numbers of both, side by side.
@@ -136,8 +136,8 @@ std::array<S, suspension_capacity> gather_pair(const SuspensionPair<S>& pair, co
 
 template <class T>
 struct Trailer {
-    int tow, offset;  // unit that pulls it; of its numbers in the state
-    int yaw;          // which of the hitch's coordinates
+    int tow, offset;  // towing unit; of its numbers in the state
+    int yaw;          // index of the hitch's yaw coordinate
     Linkage<T> hitch;
     RigidBody<T> chassis;
     SpatialInertia<T> chassis_inertia;  // about the origin of the vehicle frame

@@ -1,4 +1,4 @@
-// The one place where a car of plain numbers is built: its many small parts take the compiler long.
+// The only instantiation for doubles: its many small parts take long to compile.
 #include "hamilcar/vehicle/vehicle.hpp"
 
 namespace hamilcar {

@@ -1,5 +1,5 @@
-// The constants of a car: its chassis, suspensions with what hangs on them, trailers. Built once from a description, never
-// changed by a step.
+// The constants of a car: its chassis, suspensions with everything attached to them, trailers. Built once from a description,
+// never changed by a step.
 #pragma once
 
 #include <array>
@@ -41,7 +41,7 @@ struct Vehicle {
         return std::tuple(&V::chassis, &V::chassis_inertia, &V::suspensions, &V::anti_roll_bars, &V::trailers,
                           &V::aerodynamics, &V::hull, &V::powertrain, &V::gravity, &V::total_mass, &V::state_size);
     }
-    std::vector<SuspensionPair<Paired<T>>> pairs;  // of the same suspensions, where T has a number for that
+    std::vector<SuspensionPair<Paired<T>>> pairs;  // of neighboring suspensions, where T has pairs
 
     Vehicle() = default;
     explicit Vehicle(const VehicleDescription& description);
@@ -49,7 +49,7 @@ struct Vehicle {
     void add_suspensions(const VehicleDescription& description);
     void add_powertrain(const VehicleDescription& description);
 
-    // Calls alone(number) for each suspension, or together(pair, its number) for two.
+    // Calls alone(index) for each single suspension and together(pair, its index) for each pair.
     template <class Alone, class Together>
     void for_each_suspension(const Alone& alone, const Together& together) const {
         std::size_t next_pair = 0;
@@ -66,14 +66,14 @@ struct Vehicle {
     }
 };
 
-// How many numbers a state holds: the chassis's, then those of suspensions, trailers and the powertrain.
-inline constexpr int hub_size = 14;
+// Sizes of a state: the chassis, then suspensions, trailers and the powertrain.
+inline constexpr int chassis_size = 14;
 inline constexpr int beyond_chassis_capacity = 640;
-inline constexpr int state_capacity = hub_size + beyond_chassis_capacity;
+inline constexpr int state_capacity = chassis_size + beyond_chassis_capacity;
 
-// Where a wheel is, by its number: suspension and place there.
+// A wheel by its number: the suspension, and the wheel's index in it.
 template <class T>
-std::array<std::size_t, 2> wheel_place(const Vehicle<T>& vehicle, int number) {
+std::array<std::size_t, 2> locate_wheel(const Vehicle<T>& vehicle, int number) {
     std::size_t s = 0;
     while (s + 1 < vehicle.suspensions.size() && vehicle.suspensions[s + 1].first_wheel <= number) ++s;
     return {s, static_cast<std::size_t>(number - vehicle.suspensions[s].first_wheel)};

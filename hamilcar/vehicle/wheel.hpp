@@ -1,4 +1,4 @@
-// A wheel turns about an axis of its carrier; only its spin inertia is its own, the rest counts with the carrier.
+// A wheel spins about an axis of its carrier; only its spin inertia is its own, the rest is part of the carrier.
 #pragma once
 
 #include <tuple>

@@ -201,10 +201,10 @@ std::array<double, 4> outputs_of(const Simulation& run) {
     const double heading = std::atan2(R(1, 0), R(0, 0));
     const auto across = [&](const Vec3<double>& v) { return std::cos(heading) * v[1] - std::sin(heading) * v[0]; };
     const double roll = std::atan2(R(2, 1), R(2, 2)), pitch = -std::asin(R(2, 0));
-    const Vec3<double> w = s.velocity.hub.tail<3>(), force = R * Vec3<double>(s.momenta.external.head<3>());
+    const Vec3<double> w = s.velocity.chassis.tail<3>(), force = R * Vec3<double>(s.momenta.external.head<3>());
     return {(w[1] * std::sin(roll) + w[2] * std::cos(roll)) / std::cos(pitch),
             across(force) / s.model.vehicle.total_mass, roll,
-            across(R * velocity_at<double>(s.velocity.hub, s.model.vehicle.chassis.center))};
+            across(R * velocity_at<double>(s.velocity.chassis, s.model.vehicle.chassis.center))};
 }
 
 // Half a degree of the steering wheel, so that nothing leaves its linear range; two periods to forget the start.

@@ -77,13 +77,13 @@ TEST(E21, CamberGainsAreThoseOfVdanl) {
 // A Panhard rod holds its axle sideways: the roll center lies where the rod crosses the middle plane.
 TEST(Kinematics, RollCenterOfAPanhardAxleLiesOnTheRod) {
     VehicleDescription car = test::shipped("offroader");
-    for (const SuspensionDescription& spoke : car.suspensions) {
-        if (spoke.keyword != "panhard_axle") continue;
-        for (const CutJointDescription& cut : spoke.linkage.cuts) {
+    for (const SuspensionDescription& suspension : car.suspensions) {
+        if (suspension.keyword != "panhard_axle") continue;
+        for (const CutJointDescription& cut : suspension.linkage.cuts) {
             if (cut.name != "Panhard rod") continue;
             const double share = cut.tip[1] / (cut.tip[1] - cut.foot[1]);
             const double height = cut.tip[2] + share * (cut.foot[2] - cut.tip[2]);
-            EXPECT_NEAR(axle(car, spoke.name).design.roll_center, height, 0.02) << spoke.name;
+            EXPECT_NEAR(axle(car, suspension.name).design.roll_center, height, 0.02) << suspension.name;
         }
     }
 }

@@ -103,7 +103,7 @@ TEST_P(RackForce, WorksWhatTheCarGains) {
 // Power of everything that is neither in the potential nor the rack's.
 double lost(const Instant& at) {
     const Vehicle<double>& vehicle = at.model.vehicle;
-    double power = vehicle.aerodynamics.evaluate(at.velocity.hub, Vec::Zero()).power;
+    double power = vehicle.aerodynamics.evaluate(at.velocity.chassis, Vec::Zero()).power;
     for (std::size_t s = 0; s < vehicle.suspensions.size(); ++s) {
         const Suspension<double>& suspension = vehicle.suspensions[s];
         const SuspensionVelocity<double>& moving = at.velocity.suspensions[s];
@@ -193,14 +193,15 @@ double force_of_rod(const Instant& at, const SuspensionDescription& suspension, 
     const Vec rod = (outer - vec3(points.rack_end) - rack * at.input.rack.displacement).normalized();
     const Vec center = pose.point(vec3(suspension.wheels[0].wheel.center)),
               axis = pose.direction(vec3(suspension.wheels[0].wheel.spin_axis));
-    const Vec mass_center = pose.point(vec3(suspension.bodies[0].body.center_of_mass)), w = angular(at.velocity.hub);
+    const Vec mass_center = pose.point(vec3(suspension.bodies[0].body.center_of_mass)),
+              w = angular(at.velocity.chassis);
 
     Vec moment = f.tire.Mx * f.frame.longitudinal + f.tire.Mz * f.frame.normal;
     const Vec push = f.tire.Fx * f.frame.longitudinal + f.tire.Fy * f.frame.lateral + f.tire.Fz * f.frame.normal;
     moment += (f.frame.point - center).cross(push);
     moment -= axis * axis.dot(moment);  // the bearing passes none of it on
     moment += (center - ball).cross(push + Vec(0, 0, f.stop + f.bar));
-    const Vec acceleration = w.cross(velocity_at<double>(at.velocity.hub, mass_center));  // on a circle
+    const Vec acceleration = w.cross(velocity_at<double>(at.velocity.chassis, mass_center));  // on a circle
     const Vec gravity = -at.model.vehicle.gravity * at.velocity.R_GC.row(2).transpose();
     moment += (mass_center - ball).cross(suspension.bodies[0].body.mass * (gravity - acceleration));
     const Mat3<double> inertia = pose.R * vec3(suspension.bodies[0].body.inertia).asDiagonal() * pose.R.transpose();

@@ -1,5 +1,5 @@
-// The batch against lone simulations: the same bits in any lane, with any neighbors and threads, by every engine;
-// cars that end early are reported and disturb nobody.
+// The batch against single simulations: the same bits in any lane, with any neighbors and threads, by every engine;
+// cars that end early are reported and do not affect others.
 #include "hamilcar/batch/batch.hpp"
 
 #include <gmock/gmock.h>
@@ -43,7 +43,7 @@ std::vector<Simulation> cars(int count, const SolverDescription& solver = {}) {
     return all;
 }
 
-// The state of a lone simulation after that many steps.
+// The state of a single simulation after that many steps.
 State<double> alone(Simulation simulation, long count) {
     for (long i = 0; i < count; ++i) {
         const auto end = simulation.advance();
@@ -115,7 +115,7 @@ TEST_P(EveryEngine, GivesTheSameBitsInSinglePrecisionWhateverTheLane) {
     expect_same_bits(narrow.state(1), batch.state(0), "car 0");
 }
 
-// One car tips over on its side, one is thrown so hard that its numbers end; the others do not notice.
+// One car tips over on its side, one is thrown so hard that its numbers overflow; the others are not affected.
 TEST_P(EveryEngine, ReportsCarsThatEndAndKeepsTheOthersAsTheyWere) {
     std::vector<Simulation> all = cars(4);
     ScenarioDescription tipping = test::scenario(10, 10);
@@ -209,7 +209,7 @@ TEST(Batch, RefusesWhatCannotShareAChunk) {
     EXPECT_THAT(message({various(0, {.integrator = "dopri5"})}, {}), HasSubstr("fixed steps"));
     all.pop_back();
     all[1].advance();
-    EXPECT_THAT(message(all, {}), HasSubstr("under way"));
+    EXPECT_THAT(message(all, {}), HasSubstr("has already been advanced"));
     EXPECT_THAT(message(cars(1), {.engine = "sse9"}), HasSubstr("\"sse9\": expected one"));
 }
 

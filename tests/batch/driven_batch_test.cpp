@@ -1,4 +1,4 @@
-// Closed-loop drivers in lanes: every car of a batch gives the bits of a Simulation of its own, whoever its neighbors are.
+// Closed-loop drivers in lanes: every car of a batch has the same bits as a Simulation of its own, whatever its neighbors.
 #include <gtest/gtest.h>
 
 #include "hamilcar/batch/batch.hpp"

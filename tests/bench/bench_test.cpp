@@ -47,7 +47,7 @@ TEST(Peak, DoesAsManyOperationsAsItSays) {
 
 TEST(Operations, OfAStepAreThoseOfItsTurnsAndABitMore) {
     ScenarioDescription scenario = bend();
-    const OperationCount turn = operations_of_a_turn(Simulation(test::paper_car(), scenario));
+    const OperationCount turn = operations_of_rhs(Simulation(test::paper_car(), scenario));
     const OperationCount ab3 = operations_of_a_step(Simulation(test::paper_car(), scenario));
     scenario.solver.integrator = "rk4";
     const OperationCount rk4 = operations_of_a_step(Simulation(test::paper_car(), scenario));

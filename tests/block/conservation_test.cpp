@@ -1,4 +1,4 @@
-// Laws that hold whatever the numbers: energy at the method's order, momentum to 1e-14 of itself, and the energy balance
+// Laws that hold for any parameters: energy at the method's order, momentum to 1e-14 of itself, and the energy balance
 // of a driven car.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// Every shipped vehicle, trailers too: energy at the method's order, the momenta that the state holds against those of the bodies, symmetry, lanes, nothing allocated.
+// Every shipped vehicle, trailers too: energy at the method's order, the state's momenta against those of the bodies,
+// symmetry, lanes, no allocation.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -16,7 +17,7 @@ protected:
     VehicleDescription car() const { return test::shipped(GetParam()); }
 };
 
-TEST_P(Fleet, KeepsItsBooks) {
+TEST_P(Fleet, KeepsItsEnergyBalance) {
     Simulation simulation(car(), test::everything_moves(car()));
     test::run_to_end(simulation);
     const Sample sample = simulation.sample();
@@ -24,7 +25,7 @@ TEST_P(Fleet, KeepsItsBooks) {
     EXPECT_LT(std::abs(sample.energy.balance() - simulation.initial_energy_balance()), 1e-6 * sample.energy.kinetic);
 }
 
-// The conservative vehicle thrown up and round, trailers swinging: Runge-Kutta loses energy at its fifth order or better.
+// The conservative vehicle thrown up and spinning, trailers swinging: Runge-Kutta loses energy at its fifth order or better.
 double energy_error(const VehicleDescription& car, double step) {
     ScenarioDescription s = test::scenario(0.4);
     s.solver.integrator = "rk4", s.solver.step = step;
@@ -54,7 +55,7 @@ TEST_P(Fleet, MomentaAreThoseOfTheBodies) {
     const Vehicle<double>& vehicle = model.vehicle;
     const State<double>& state = simulation.state();
     const auto velocity = velocity_block(model, state, simulation.schedule()(simulation.time()));
-    std::vector<Spatial<double>> unit{vehicle.chassis_inertia * velocity.hub};
+    std::vector<Spatial<double>> unit{vehicle.chassis_inertia * velocity.chassis};
     for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
         unit.push_back(vehicle.trailers[i].chassis_inertia * velocity.trailers[i].motion);
     }
@@ -77,7 +78,8 @@ TEST_P(Fleet, MomentaAreThoseOfTheBodies) {
         }
     }
     for (std::size_t i = vehicle.trailers.size(); i-- > 0;) {
-        unit[static_cast<std::size_t>(vehicle.trailers[i].tow)] += carried_over(velocity.trailers[i].pose, unit[i + 1]);
+        unit[static_cast<std::size_t>(vehicle.trailers[i].tow)] +=
+            force_to_parent(velocity.trailers[i].pose, unit[i + 1]);
     }
     EXPECT_LT((unit[0] - velocity.momentum).norm(), 1e-9 * unit[0].norm());
 }
@@ -112,7 +114,7 @@ TEST_P(Fleet, GivesTheSameBitsInLanes) {
 INSTANTIATE_TEST_SUITE_P(Vehicles, Fleet, testing::ValuesIn(test::fleet()), [](const auto& one) { return one.param; });
 
 // Steering the other way takes the mirrored path; not the off-road car, whose Panhard rods have a side.
-TEST(Mirror, HoldsForComposedVehicles) {
+TEST(Mirror, HoldsForEveryVehicle) {
     for (const char* name : {"hatchback", "formula", "pickup", "bmw_e90_330i"}) {
         const VehicleDescription car = test::shipped(name);
         ScenarioDescription left = test::everything_moves(car), right = left;
@@ -168,7 +170,7 @@ TEST(Trailer, HoldsInTheStabilizedModeAndTheBryantChart) {
     EXPECT_LT((a.state().position() - b.state().position()).norm(), 1e-6);
 }
 
-TEST(Trailer, IsCarriedByAllWheels) {
+TEST(Trailer, LoadsAllWheels) {
     const VehicleDescription car = test::shipped("truck_semitrailer");
     const Simulation simulation(car, test::scenario(1));
     const Sample s = simulation.sample();

@@ -1,13 +1,13 @@
-// Mechanisms with published answers, through the program that moves suspensions (support/fixed_hub.hpp).
+// Mechanisms with published answers, through the program that moves suspensions (support/fixed_base.hpp).
 //
-// Three routes meet here: the program; where the parts are in closed form, with the time from the energy integral; and
-// what others have published. Most published tables are runs of other programs with an error of integration of their
-// own: the second route tells how many of their digits are the problem's, and the tolerance of each table says it.
+// Three solutions are compared here: the program's; the closed-form poses, with the time from the energy integral; and
+// published ones. Most published tables are runs of other programs with an error of integration of their
+// own: the second solution shows how many of their digits are correct, and each table's tolerance reflects that.
 #include <gtest/gtest.h>
 
 #include "block/published_mechanisms.hpp"
 #include "support/conservative_motion.hpp"
-#include "support/fixed_hub.hpp"
+#include "support/fixed_base.hpp"
 
 namespace hamilcar {
 namespace {
@@ -31,34 +31,34 @@ std::vector<Case> cases() {
 
 class Mechanisms : public testing::TestWithParam<Case> {};
 
-TEST_P(Mechanisms, StandWhereTheClosedFormSaysOverATurn) {
+TEST_P(Mechanisms, HaveTheClosedFormPosesOverARevolution) {
     const Mechanism& m = GetParam().mechanism;
-    FixedHub hub(m.spoke, m.gravity, 1);
+    FixedBase simulated(m.suspension, m.gravity, 1);
     double worst = 0;
     for (int degree = 0; degree <= 720; ++degree) {
-        hub.place(degree * pi / 180);
-        const Places expected = m.places(degree * pi / 180);
+        simulated.place(degree * pi / 180);
+        const Poses expected = m.poses(degree * pi / 180);
         for (std::size_t i = 0; i < expected.size(); ++i) {
-            worst = std::max({worst, (hub.pose(i).R - expected[i].R).cwiseAbs().maxCoeff(),
-                              (hub.pose(i).p - expected[i].p).cwiseAbs().maxCoeff()});
+            worst = std::max({worst, (simulated.pose(i).R - expected[i].R).cwiseAbs().maxCoeff(),
+                              (simulated.pose(i).p - expected[i].p).cwiseAbs().maxCoeff()});
         }
     }
     EXPECT_LT(worst, 1e-12);
 }
 
-TEST_P(Mechanisms, TurnAsFastAsTheEnergyIntegralSays) {
+TEST_P(Mechanisms, HaveTheRateOfTheEnergyIntegral) {
     const Mechanism& m = GetParam().mechanism;
     const ConservativeMotion expected(m, 0, GetParam().rate);
-    FixedHub hub(m.spoke, m.gravity, GetParam().step);
-    hub.start(0, GetParam().rate);
-    EXPECT_NEAR(hub.energy(), expected.energy(), 1e-10 * (1 + std::abs(expected.energy())));
+    FixedBase simulated(m.suspension, m.gravity, GetParam().step);
+    simulated.start(0, GetParam().rate);
+    EXPECT_NEAR(simulated.energy(), expected.energy(), 1e-10 * (1 + std::abs(expected.energy())));
     for (int turns = 1; turns <= 3; ++turns) {
-        while (hub.angle() < 2 * pi * turns) hub.advance();
-        EXPECT_NEAR(expected.time_to(hub.angle()), hub.time(), 1e-9 * hub.time());
-        EXPECT_NEAR(hub.rate(), expected.rate(hub.angle()), 1e-7 * std::abs(hub.rate()));
+        while (simulated.angle() < 2 * pi * turns) simulated.advance();
+        EXPECT_NEAR(expected.time_to(simulated.angle()), simulated.time(), 1e-9 * simulated.time());
+        EXPECT_NEAR(simulated.rate(), expected.rate(simulated.angle()), 1e-7 * std::abs(simulated.rate()));
     }
-    EXPECT_NEAR(hub.energy(), expected.energy(), 1e-8 * (1 + std::abs(expected.energy())));
-    EXPECT_LT(hub.violation(), 1e-10);
+    EXPECT_NEAR(simulated.energy(), expected.energy(), 1e-8 * (1 + std::abs(expected.energy())));
+    EXPECT_LT(simulated.violation(), 1e-10);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Mechanisms, testing::ValuesIn(cases()), [](const auto& one) { return one.param.name; });
@@ -79,13 +79,13 @@ TEST(IftommSliderCrank, AsItsAuthorPublished) {
                         {240, 0.23007366, 41.97018299, 1e-5, 2e-4}, {299, 0.261012849, 51.50682085, 1.5e-5, 3e-4}};
     const Mechanism m = iftomm_slider_crank(SmallMoment::across_rod);
     const ConservativeMotion expected(m, 0, 6);
-    FixedHub hub(m.spoke, m.gravity, 5. / 299 / 200);
-    hub.start(0, 6);
+    FixedBase simulated(m.suspension, m.gravity, 5. / 299 / 200);
+    simulated.start(0, 6);
     for (const Row& row : rows) {
-        hub.run_to(row.number * 5. / 299);
-        EXPECT_NEAR(0.2 + hub.coordinate(1), row.slider, row.slider_error) << row.number;
-        EXPECT_NEAR(hub.angle(), row.angle, row.angle_error) << row.number;
-        EXPECT_NEAR(expected.time_to(hub.angle()), hub.time(), 1e-10) << row.number;
+        simulated.run_to(row.number * 5. / 299);
+        EXPECT_NEAR(0.2 + simulated.coordinate(1), row.slider, row.slider_error) << row.number;
+        EXPECT_NEAR(simulated.angle(), row.angle, row.angle_error) << row.number;
+        EXPECT_NEAR(expected.time_to(simulated.angle()), simulated.time(), 1e-10) << row.number;
     }
 }
 
@@ -97,11 +97,11 @@ TEST(IftommSliderCrank, AsOthersPublished) {
                               {2, 0.289063554, 5e-5},    {3, 0.228450093, 5e-5},    {4, 0.188208161, 5e-5},
                               {5, 0.240761815, 5e-5}};
     const Mechanism m = iftomm_slider_crank(SmallMoment::along_rod);
-    FixedHub hub(m.spoke, m.gravity, 1e-4);
-    hub.start(0, 6);
+    FixedBase simulated(m.suspension, m.gravity, 1e-4);
+    simulated.start(0, 6);
     for (const auto& [time, slider, error] : rows) {
-        hub.run_to(time);
-        EXPECT_NEAR(0.2 + hub.coordinate(1), slider, error) << time;
+        simulated.run_to(time);
+        EXPECT_NEAR(0.2 + simulated.coordinate(1), slider, error) << time;
     }
 }
 
@@ -117,12 +117,12 @@ TEST(ModelicaFourBars, SpatialOneTurnsAsPublished) {
         {0.2, 1.3299958398273617, 8.8003233687036619},    {1, 7.8021338306942276, 9.3615884175904913},
         {1.1, 8.8656326583249925, 11.690280785115373},    {1.25, 10.54641935682757, 9.6645487114251534}};
     const Mechanism m = msl_spatial_four_bar();
-    FixedHub hub(m.spoke, m.gravity, 1e-4);
-    hub.start(0, 5.235987755982989);
+    FixedBase simulated(m.suspension, m.gravity, 1e-4);
+    simulated.start(0, 5.235987755982989);
     for (const Turning& row : rows) {
-        hub.run_to(row.time);
-        EXPECT_NEAR(hub.angle(), row.angle, 5e-5) << row.time;
-        EXPECT_NEAR(hub.rate(), row.rate, 2e-4) << row.time;
+        simulated.run_to(row.time);
+        EXPECT_NEAR(simulated.angle(), row.angle, 5e-5) << row.time;
+        EXPECT_NEAR(simulated.rate(), row.rate, 2e-4) << row.time;
     }
 }
 
@@ -136,13 +136,13 @@ TEST(ModelicaFourBars, PlanarOneSwingsAsPublished) {
         {0.8, -3.46935046550771, 3.28934407140774},       {1, -1.82106780567352, 12.4555110108612},
         {1.25, -0.154156065031092, 2.41498365768641}};
     Mechanism m = msl_planar_four_bar();
-    m.spoke.dampers.push_back({"hinge", {.on_part = {}, .on_base = {}, .coordinate = 0}, {{-1, 1}, {-0.1, 0.1}}});
-    FixedHub hub(m.spoke, m.gravity, 1e-4);
-    hub.start(0, 0);
+    m.suspension.dampers.push_back({"hinge", {.on_part = {}, .on_base = {}, .coordinate = 0}, {{-1, 1}, {-0.1, 0.1}}});
+    FixedBase simulated(m.suspension, m.gravity, 1e-4);
+    simulated.start(0, 0);
     for (const Turning& row : rows) {
-        hub.run_to(row.time);
-        EXPECT_NEAR(hub.angle(), row.angle, 3e-5) << row.time;
-        EXPECT_NEAR(hub.rate(), row.rate, 3e-4) << row.time;
+        simulated.run_to(row.time);
+        EXPECT_NEAR(simulated.angle(), row.angle, 3e-5) << row.time;
+        EXPECT_NEAR(simulated.rate(), row.rate, 3e-4) << row.time;
     }
 }
 
@@ -153,13 +153,13 @@ TEST(IftommFourBar, PassesTheSingularPositionAsPublished) {
                               {0.75, 0.990062, -0.140633},  {1, -0.115357, -0.993324}, {2, 3.44663e-2, 0.999406},
                               {3, -0.338518, -0.940960},    {4, 6.93421e-2, 0.997593}};
     const Mechanism m = windows(40);
-    FixedHub hub(m.spoke, m.gravity, 1e-3);
-    hub.start(0, -1);
+    FixedBase simulated(m.suspension, m.gravity, 1e-3);
+    simulated.start(0, -1);
     for (const auto& [time, x, y] : rows) {
-        hub.run_to(time);
-        EXPECT_NEAR(-std::sin(hub.angle()), x, 1e-6) << time;
-        EXPECT_NEAR(std::cos(hub.angle()), y, 1e-6) << time;
-        EXPECT_NEAR(hub.coordinate(2), hub.angle(), 1e-12) << time;  // the cranks are parallel still
+        simulated.run_to(time);
+        EXPECT_NEAR(-std::sin(simulated.angle()), x, 1e-6) << time;
+        EXPECT_NEAR(std::cos(simulated.angle()), y, 1e-6) << time;
+        EXPECT_NEAR(simulated.coordinate(2), simulated.angle(), 1e-12) << time;  // the cranks are parallel still
     }
 }
 
@@ -168,11 +168,11 @@ TEST(IftommFourBar, PassesTheSingularPositionAsPublished) {
 // `h=0.000125`.
 TEST(IftommFourBar, TwoWindowsAfterTenSeconds) {
     const Mechanism m = windows(2);
-    FixedHub hub(m.spoke, m.gravity, 1e-3);
-    hub.start(0, -1);
-    hub.run_to(10);
-    EXPECT_NEAR(-std::sin(hub.angle()), 0.3284573768, 1e-6);
-    EXPECT_NEAR(std::cos(hub.angle()), 0.9445187937, 1e-6);
+    FixedBase simulated(m.suspension, m.gravity, 1e-3);
+    simulated.start(0, -1);
+    simulated.run_to(10);
+    EXPECT_NEAR(-std::sin(simulated.angle()), 0.3284573768, 1e-6);
+    EXPECT_NEAR(std::cos(simulated.angle()), 0.9445187937, 1e-6);
 }
 
 // Positions over a turn of the crank, in millimeters: github.com/khaledghobashy/uraeus_smbd,
@@ -203,33 +203,33 @@ TEST(SpatialFourBar, StandsAsPublished) {
                          {-369.1925639207904, -421.5917546801736, 428.00268549471946}}};
     const Mechanism m = uraeus_spatial_four_bar();
     const Vec center[] = {{0, 0, 0.1}, {-0.375, -0.425, 0.425}, {-0.575, -0.85, 0.325}};
-    FixedHub hub(m.spoke, m.gravity, 1);
+    FixedBase simulated(m.suspension, m.gravity, 1);
     double angle = 0;
     for (const Row& row : rows) {
         const double end = angle + std::fmod(std::atan2(-row.crank[1], row.crank[2]) - angle + 4 * pi, 2 * pi);
-        for (int i = 1; i <= 50; ++i) hub.place(angle + (end - angle) * i / 50);
+        for (int i = 1; i <= 50; ++i) simulated.place(angle + (end - angle) * i / 50);
         angle = end;
-        EXPECT_LT((1e3 * hub.pose(2).point(center[2]) - row.rocker).norm(), 1.5e-5);
-        EXPECT_LT((1e3 * hub.pose(1).point(center[1]) - row.coupler).norm(), 1.5e-5);
+        EXPECT_LT((1e3 * simulated.pose(2).point(center[2]) - row.rocker).norm(), 1.5e-5);
+        EXPECT_LT((1e3 * simulated.pose(1).point(center[1]) - row.coupler).norm(), 1.5e-5);
     }
 }
 
 TEST(AndrewsSqueezer, EndsAsPublished) {
     const Squeezer squeezer;
     const Mechanism m = squeezer.mechanism();
-    FixedHub hub(m.spoke, m.gravity, 2e-6, "abm5");
-    hub.start(0, 0);
-    const double energy = hub.energy();
-    hub.run_to(0.03);
+    FixedBase simulated(m.suspension, m.gravity, 2e-6, "abm5");
+    simulated.start(0, 0);
+    const double energy = simulated.energy();
+    simulated.run_to(0.03);
     for (int i = 0; i < 7; ++i) {
-        const double angle = squeezer.start[i] + hub.coordinate(squeezer.coordinate[i]);
-        const double rate = hub.coordinate_rate(squeezer.coordinate[i]);
+        const double angle = squeezer.start[i] + simulated.coordinate(squeezer.coordinate[i]);
+        const double rate = simulated.coordinate_rate(squeezer.coordinate[i]);
         EXPECT_NEAR(angle, squeezer.end[i], i < 2 ? 1.5e-9 : 3e-11) << i;
         EXPECT_NEAR(rate, squeezer.end_rate[i], 6e-8 * std::abs(squeezer.end_rate[i])) << i;
     }
-    EXPECT_NEAR(squeezer.start[0] + hub.angle(), 15.81077119515, 1e-11);  // long double
-    EXPECT_NEAR(hub.energy(), energy, 1e-12);
-    EXPECT_LT(hub.violation(), 1e-14);
+    EXPECT_NEAR(squeezer.start[0] + simulated.angle(), 15.81077119515, 1e-11);  // long double
+    EXPECT_NEAR(simulated.energy(), energy, 1e-12);
+    EXPECT_LT(simulated.violation(), 1e-14);
 }
 
 }  // namespace

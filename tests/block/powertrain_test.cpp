@@ -1,5 +1,5 @@
-// Rotors and shafts in a whole car, by conservation laws: what acts inside it moves no momentum, and what engines give is found
-// again.
+// Rotors and shafts in a whole car, by conservation laws: internal torques change no momentum, and the energy
+// supplied by engines is accounted for.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -38,7 +38,7 @@ Simulation floating(const Vec3<double>& turning, double gear) {
     return Simulation(car, s);
 }
 
-TEST(Rotor, IsPartOfTheCarsAngularMomentumWhateverItDoes) {
+TEST(Rotor, ConservesTheCarsAngularMomentum) {
     for (const double gear : {0.0, 1.0, 3.0}) {
         Simulation car = floating({0.4, -0.3, 0.8}, gear);
         const Spatial<double> before = momentum_of(car);
@@ -59,15 +59,15 @@ TEST(Rotor, LeansTheBodyWhileItSpeedsUp) {
     for (int i = 0; i < 400; ++i) ASSERT_FALSE(car.advance());
     const Sample s = car.sample();
     const double rotor = inertia * (s.momenta.powertrain.units[0].spin -
-                                    car.model().vehicle.powertrain.units[0].axis.dot(angular(s.velocity.hub)));
+                                    car.model().vehicle.powertrain.units[0].axis.dot(angular(s.velocity.chassis)));
     EXPECT_GT(rotor, 1);
-    EXPECT_GT(s.velocity.hub[3], 0) << "the rotor turns about -x, so the body about +x";
+    EXPECT_GT(s.velocity.chassis[3], 0) << "the rotor turns about -x, so the body about +x";
 }
 
-// Energy books of all kinds of drivelines, at two steps: the gap is that of the integration.
-class Books : public testing::TestWithParam<const char*> {};
+// Energy balance of all kinds of drivelines, at two steps: the residual is the integration error.
+class DrivelineEnergy : public testing::TestWithParam<const char*> {};
 
-TEST_P(Books, CloseToTheIntegrationsOrder) {
+TEST_P(DrivelineEnergy, BalancesAtTheMethodsOrder) {
     const VehicleDescription car = io::read_vehicle(test::source_path(std::string("vehicles/") + GetParam() + ".toml"));
     const auto gap = [&](double step) {
         const auto gears = static_cast<double>(car.power_units.front().gearbox.ratios.size());
@@ -87,11 +87,11 @@ TEST_P(Books, CloseToTheIntegrationsOrder) {
     EXPECT_LT(fine, std::max(0.5 * coarse, 2e-6));
 }
 
-INSTANTIATE_TEST_SUITE_P(Vehicles, Books,
+INSTANTIATE_TEST_SUITE_P(Vehicles, DrivelineEnergy,
                          testing::Values("bmw_323i", "hatchback", "offroader", "pickup", "truck_semitrailer",
                                          "electric_hatchback"));
 
-// Held on the brake with throttle in first gear: nothing turns, and nothing trembles either.
+// Held on the brake with throttle in first gear: nothing turns or oscillates.
 struct HeldCar {
     const char* name;
     std::vector<double> pedals;  // that the brakes hold
@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(Vehicles, Stall,
                                          HeldCar{"pickup", {0.3}}, HeldCar{"electric_hatchback", {0.3, 1}}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-TEST(Powertrain, PushesTheCarWithItsTorqueLessWhatItAcceleratesAndLoses) {
+TEST(Powertrain, AcceleratesTheCarByItsTorqueLessInertiaAndLosses) {
     // Second gear, full throttle, after the clutch has settled: m_effective a = ratios T efficiency / r - resistance.
     ScenarioDescription s = powered(2, 10, 2);
     Simulation car(test::shipped_car(), s);
@@ -136,14 +136,14 @@ TEST(Powertrain, PushesTheCarWithItsTorqueLessWhatItAcceleratesAndLoses) {
     const Sample at = car.sample();
     const auto& unit = at.momenta.powertrain.units[0];
     const double ratio = 2.20 * 3.25, radius = rolling_radius(at.model.vehicle.suspensions[2].wheels[0].tire);
-    const Senses senses = car.senses();
-    const double a = car.senses().speed;
+    const Observation observation = car.observation();
+    const double a = car.observation().speed;
     ASSERT_FALSE(car.advance());
-    const double acceleration = (car.senses().speed - a) / car.scenario().solver.step;
+    const double acceleration = (car.observation().speed - a) / car.scenario().solver.step;
     const double rotor_acceleration = acceleration / radius * ratio;
     EXPECT_NEAR(unit.clutch, unit.source - 0.18 * rotor_acceleration, 0.02 * unit.source);
     const double force = ratio * 0.9 * unit.clutch / radius;
-    const double resisting = 0.5 * 1.2 * 0.38 * 1.85 * senses.speed * senses.speed;
+    const double resisting = 0.5 * 1.2 * 0.38 * 1.85 * observation.speed * observation.speed;
     const double wheels = 4 * 0.85 / (radius * radius);
     EXPECT_NEAR((1150 + wheels) * acceleration, force - resisting, 0.04 * force) << "the rest is rolling resistance";
 }

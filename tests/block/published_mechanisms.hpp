@@ -126,11 +126,11 @@ struct Squeezer {
         const auto K1 = hinge(0, Vec::Zero()), K2 = hinge(K1, P), K3 = hinge(0, B), K5 = hinge(0, A), K4 = hinge(K5, G),
                    K7 = hinge(0, A), K6 = hinge(K7, H);
         for (const std::size_t part : {K3, K4, K6}) cut_hinge(m, K2, part, F);
-        m.spoke.linkage.independent = {0};
+        m.suspension.linkage.independent = {0};
         const auto body = [&](std::size_t part, double mass, const Vec& center, double inertia) {
             add_body(m, part, mass, center, Vec::Constant(inertia));
         };
-        // A spoke has six bodies: the crank, which only turns about a fixed point, weighs as a mass at its pin, on
+        // A suspension has six bodies: the crank, which only turns about a fixed point, is a point mass at its pin, on
         // K2.
         const double pin = (2.194e-6 + 0.04325 * 0.00092 * 0.00092) / (0.007 * 0.007), own = 0.00365;
         const Vec middle = P - 0.0115 * along(beta + theta), both = (own * middle + pin * P) / (own + pin);
@@ -142,8 +142,8 @@ struct Squeezer {
         body(K7, 0.05498, A + 0.01228 * along(epsilon) + 0.00449 * across(epsilon), 1.912e-5);
         const double rate = 4530, torque = 0.033;
         LineDescription spring{.part = K3, .on_part = point(D), .on_base = point(C), .coordinate = {}};
-        m.spoke.springs.push_back({"spring", spring, {rate, -rate * ((D - C).norm() - 0.07785)}});
-        m.spoke.springs.push_back({"motor", {.on_part = {}, .on_base = {}, .coordinate = 0}, {0, torque}});
+        m.suspension.springs.push_back({"spring", spring, {rate, -rate * ((D - C).norm() - 0.07785)}});
+        m.suspension.springs.push_back({"motor", {.on_part = {}, .on_base = {}, .coordinate = 0}, {0, torque}});
         return m;
     }
 };

@@ -10,8 +10,8 @@
 namespace hamilcar {
 namespace {
 
-// Natural frequencies [Hz] of the oscillating modes at rest, ascending. Free of slip and damping, so that a standing
-// tire's grip does not stiffen the suspension: the figures compared with are of the vertical motion alone.
+// Natural frequencies [Hz] of the oscillating modes at rest, ascending. Without slip and damping, so that the lateral
+// force of a standing tire does not stiffen the suspension: the reference values are for vertical motion alone.
 std::vector<double> natural_frequencies() {
     const Model<double> model = test::make_model(test::conservative_car());
     const Input<double> input;
@@ -28,8 +28,8 @@ std::vector<double> natural_frequencies() {
         below.values[static_cast<std::size_t>(j)] -= step;
         close_loops(model, input.rack, above, 3);
         close_loops(model, input.rack, below, 3);
-        evaluate(model, input, above, rate_above);
-        evaluate(model, input, below, rate_below);
+        evaluate_rhs(model, input, above, rate_above);
+        evaluate_rhs(model, input, below, rate_below);
         for (int i = 0; i < n; ++i) {
             const auto k = static_cast<std::size_t>(i);
             A(i, j) = (rate_above.values[k] - rate_below.values[k]) / (2 * step);

@@ -1,4 +1,4 @@
-// Cars that stand, stop, start and tumble: the low-speed and large-angle ends of the model.
+// Cars that stand, stop, start and roll over: the low-speed and large-angle limits of the model.
 #include <gtest/gtest.h>
 
 #include "support/car.hpp"
@@ -6,7 +6,7 @@
 namespace hamilcar {
 namespace {
 
-TEST(Standstill, ACarOnASlopeWithTheBrakeOnDoesNotCreep) {
+TEST(Standstill, BrakedCarOnASlopeStaysInPlace) {
     ScenarioDescription s = test::scenario(60);
     s.road.grade = 0.15;
     s.brake = test::table({0, 1}, {0.5, 0.5});
@@ -29,7 +29,7 @@ TEST(Standstill, WithoutTheBrakeItRollsDown) {
     EXPECT_LT(simulation.state().position()[0], -1);
 }
 
-TEST(Standstill, NothingDriftsOnTheFlat) {
+TEST(Standstill, CarOnTheFlatStaysInPlace) {
     Simulation simulation(test::paper_car(), test::scenario(60));
     const State<double> start = simulation.state();
     test::run_to_end(simulation);
@@ -45,7 +45,7 @@ TEST(Standstill, ABrakedCarStopsAndStays) {
     const Vec3<double> stopped = simulation.state().position();
     test::run_to_end(simulation);
     EXPECT_LT((Vec3<double>(simulation.state().position()) - stopped).norm(), 1e-3);
-    EXPECT_LT(simulation.sample().velocity.hub.norm(), 1e-3);
+    EXPECT_LT(simulation.sample().velocity.chassis.norm(), 1e-3);
 }
 
 TEST(Start, FromRestTheCarDrivesOff) {
@@ -56,7 +56,7 @@ TEST(Start, FromRestTheCarDrivesOff) {
     // T / R_e less rolling resistance over the mass with its wheels: about 1.6 m/s^2 for 4.75 s.
     const double rotating = 4 * 0.85 / (0.288 * 0.288),
                  acceleration = (600 / 0.288 - 0.013 * 1150 * 9.81) / (1150 + rotating);
-    EXPECT_NEAR(simulation.sample().velocity.hub[0], acceleration * 4.75, 0.1);
+    EXPECT_NEAR(simulation.sample().velocity.chassis[0], acceleration * 4.75, 0.1);
 }
 
 TEST(RollOver, RunsToTheEndWithFiniteNumbers) {
@@ -64,12 +64,12 @@ TEST(RollOver, RunsToTheEndWithFiniteNumbers) {
     s.initial.velocity = {0, 25, 0};
     s.initial.angular_velocity = {120 * std::numbers::pi / 180, 0, 0};
     Simulation simulation(test::paper_car(), s);
-    double most_tilted = 1;
+    double min_z_cosine = 1;
     while (!simulation.finished()) {
         if (const auto end = simulation.advance()) FAIL() << end->message;
-        most_tilted = std::min(most_tilted, simulation.sample().velocity.R_GC(2, 2));
+        min_z_cosine = std::min(min_z_cosine, simulation.sample().velocity.R_GC(2, 2));
     }
-    EXPECT_LT(most_tilted, 0) << "the car was to go over";
+    EXPECT_LT(min_z_cosine, 0) << "the car was to go over";
     for (const double value : simulation.state().values) EXPECT_TRUE(std::isfinite(value));
     EXPECT_LT(simulation.sample().violation, 1e-9);
 }

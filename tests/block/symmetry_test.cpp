@@ -1,4 +1,4 @@
-// What must not matter: left or right, where on earth, which chart, which run.
+// What must not affect results: left or right, position, chart, repetition.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -51,7 +51,7 @@ void expect_mirrored(const VehicleDescription& car) {
         for (int i = 0; i < 100; ++i) ASSERT_FALSE(left.advance() || right.advance());
         const Sample a = left.sample(), b = right.sample();
         for (const Channel& channel : channels) {
-            // The balance and the openings are round-off themselves: nothing of theirs is left to mirror.
+            // The energy balance and the constraint violations are round-off themselves, so they need not mirror.
             if (channel.column.name.starts_with("constraints") || channel.column.name == "energy.balance") continue;
             // A difference along the path, which round-off enters more.
             const double tolerance = channel.column.name == "input.steering_torque" ? 1e-7 : 1e-10;

@@ -7,7 +7,7 @@
 
 #include "cli/program.hpp"
 #include "hamilcar/engine/engines.hpp"
-#include "hamilcar/engine/turn_trace.hpp"
+#include "hamilcar/engine/rhs_trace.hpp"
 #include "support/refuse_executable_memory.hpp"
 
 namespace hamilcar {
@@ -41,7 +41,7 @@ TEST_F(EngineChoice, GivesTheSameResultsByAll) {
 TEST_F(EngineChoice, RefusesAnUnknownOne) {
     const Outcome r = run("--engine mmx run " + scenario());
     EXPECT_EQ(r.code, 2);
-    EXPECT_THAT(r.err, HasSubstr("--engine: engine \"mmx\": expected one that this machine runs: "));
+    EXPECT_THAT(r.err, HasSubstr("--engine: engine \"mmx\": expected one that this machine supports: "));
     EXPECT_THAT(r.err, HasSubstr("portable"));
 }
 
@@ -107,16 +107,16 @@ TEST_P(CFunction, GivesTheRatesOfThePlainProgram) {
     Input<double> input;
     input.rack = {0.004, 0.02, 0.1}, input.brake = 0.1, input.throttle = 0.3, input.gear = 1;
     State<double> state = simulation.state(), expected;
-    evaluate(model, input, state, expected);
+    evaluate_rhs(model, input, state, expected);
 
-    std::array<double, TurnInput::size> inputs{0.004, 0.02, 0.1, 0, 0.1, 0.3, 0, 1};
+    std::array<double, RhsInput::size> inputs{0.004, 0.02, 0.1, 0, 0.1, 0.3, 0, 1};
     std::vector<double> rate(state.values.size()), report(state.values.size());
     double* arrays[] = {state.values.data(), inputs.data(), nullptr, rate.data(), report.data()};
     turn(arrays, nullptr, nullptr);
     for (std::size_t k = 0; k < static_cast<std::size_t>(model.vehicle.state_size); ++k) {
         EXPECT_EQ(rate[k], expected.values[k]) << "number " << k;
     }
-    EXPECT_GT(report[TurnReport::mobility], 0.1);
+    EXPECT_GT(report[RhsReport::mobility], 0.1);
     dlclose(library);
 }
 

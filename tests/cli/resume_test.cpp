@@ -176,9 +176,9 @@ TEST_F(Resume, TellsWhatEndedTheRun) {
     std::ofstream(driven("scenario.toml", 20), std::ios::app) << "[driver.ending]\ndistance_m = 30.0\n";
     const Outcome r = run("run " + (folder_ / "scenario.toml").string() + " -o results");
     ASSERT_EQ(r.code, 0) << r.err;
-    EXPECT_THAT(r.out, HasSubstr("ended by         driven 30"));
+    EXPECT_THAT(r.out, HasSubstr("ended by         distance reached 30"));
     const auto facts = nlohmann::json::parse(in("results/summary.json"));
-    EXPECT_THAT(facts["ended_by"].get<std::string>(), HasSubstr("driven 30"));
+    EXPECT_THAT(facts["ended_by"].get<std::string>(), HasSubstr("distance reached 30"));
     EXPECT_TRUE(facts["complaints"].empty());
     std::ofstream(folder_ / "bend.toml") << "name = \"t\"\nvehicle = \"" << car
                                          << "\"\nduration_s = 2.0\n[initial]\nvelocity_m_per_s = 20.0\n"

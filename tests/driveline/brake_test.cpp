@@ -1,5 +1,5 @@
-// A brake holds like a torsion spring below its limit, rubs with exactly its limit above, lets go at once, and never gives
-// a wheel more energy than it took from it.
+// A brake acts like a torsion spring below its limit, slides with exactly its limit above, releases at once, and never returns
+// more energy to a wheel than it absorbed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,8 +46,8 @@ TEST(Brake, HoldsBelowItsLimitLikeATorsionSpring) {
     }
 }
 
-// A line through the origin, then one that is flatter: the torque of a rear axle behind a valve.
-TEST(Brake, ValveHoldsBackFromItsCommandOn) {
+// Proportional, then flatter: the torque of a rear axle behind a proportioning valve.
+TEST(Brake, ValveReducesTheSlopeAboveItsCommand) {
     BrakeDescription rear{800, 20e3, 130};
     rear.valve_command = 0.4, rear.valve_slope = 0.25;
     const Brake<double> behind(rear);
@@ -71,8 +71,8 @@ TEST(Brake, SlipsWithExactlyItsLimitAgainstTheSpin) {
     }
 }
 
-// A wheel that is pulled harder than the limit accelerates by the surplus.
-TEST(Brake, GivesWayAboveItsLimit) {
+// A wheel driven by more than the limit is accelerated by the excess torque.
+TEST(Brake, SlidesAboveItsLimit) {
     BrakedWheel wheel;
     for (int i = 0; i < 1000; ++i) advance(wheel, 0.5, 900, 1e-3);
     const double before = wheel.spin;
@@ -89,13 +89,13 @@ TEST(Brake, ReleasesAtOnceAndUnwinds) {
         << "at 100/s for 10 ms; Euler's rule errs by h/2 of 100/s";
 }
 
-TEST(Brake, ThatIsNotThereDoesNothing) {
+TEST(Brake, WithoutABrakeThereIsNoTorque) {
     const auto out = Brake<double>(BrakeDescription{}).evaluate(1, 30, 0.3);
     EXPECT_EQ(out.torque, 0);
     EXPECT_TRUE(std::isfinite(out.windup_rate));
 }
 
-TEST(Brake, IsTheSameBothWays) {
+TEST(Brake, IsTheSameInBothDirections) {
     for (const double spin : {0.01, 2.0, 40.0}) {
         for (const double windup : {-0.09, -0.01, 0.0, 0.03, 0.2}) {
             const auto forward = brake.evaluate(0.6, spin, windup), backward = brake.evaluate(0.6, -spin, -windup);
@@ -105,7 +105,7 @@ TEST(Brake, IsTheSameBothWays) {
     }
 }
 
-// Random periodic spins that hold, slip and turn back, repeated until the wind-up returns: no store is left to pay.
+// Random periodic spins that hold, slip and turn back, repeated until the wind-up returns: no stored energy is left to be returned.
 TEST(Brake, NeverAddsEnergyOverACycle) {
     std::mt19937 source(4);
     std::uniform_real_distribution<double> unit(-1, 1);

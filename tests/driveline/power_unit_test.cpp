@@ -1,5 +1,5 @@
-// Power units against hand calculations: curves between their points, gears and their torsion, converters, and the power that
-// may be lost but never made.
+// Power units against hand calculations: interpolated curves, gears and their torsion, converters, and power that may be lost but
+// never created.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -43,12 +43,12 @@ TEST(CombustionEngine, InterpolatesBetweenSpeedsAndThrottles) {
     EXPECT_NEAR(e.at(0.5, 240), 65, 1e-12);
     EXPECT_NEAR(e.at(1, 500), 175, 1e-12);
     EXPECT_NEAR(e.at(1, 900), 150, 1e-12) << "constant beyond the last point";
-    EXPECT_NEAR(e.at(2, 240), e.at(1, 240), 0) << "a pedal has an end";
+    EXPECT_NEAR(e.at(2, 240), e.at(1, 240), 0) << "the pedal is limited";
 }
 
-TEST(CombustionEngine, IdlesBetweenDragAndGovernor) {
+TEST(CombustionEngine, GovernorHoldsTheIdleSpeed) {
     const CombustionEngine<double> e(engine());
-    double speed = 300;  // let it run by itself, with the rotor's inertia
+    double speed = 300;  // runs freely, with the rotor's inertia
     for (int i = 0; i < 20000; ++i) speed += 1e-3 * e.at(0, speed) / 0.2;
     EXPECT_GT(speed, 0.9 * 80);
     EXPECT_LT(speed, 80);
@@ -57,11 +57,11 @@ TEST(CombustionEngine, IdlesBetweenDragAndGovernor) {
 
 TEST(CombustionEngine, StallsUnderLoadAndStartsAgain) {
     const CombustionEngine<double> e(engine());
-    EXPECT_GT(e.at(0, 0), 0) << "the starter turns it";
-    EXPECT_LT(e.at(1, 0), 0.5 * 100) << "but it does not burn";
+    EXPECT_GT(e.at(0, 0), 0) << "the starter acts";
+    EXPECT_LT(e.at(1, 0), 0.5 * 100) << "no combustion";
     double speed = 0;
     for (int i = 0; i < 5000; ++i) speed += 1e-3 * e.at(0, speed) / 0.2;
-    EXPECT_GT(speed, 0.9 * 80) << "freed, it comes back to idle";
+    EXPECT_GT(speed, 0.9 * 80) << "without load it returns to idle";
 }
 
 TEST(ElectricMotor, HasConstantTorqueThenConstantPower) {
@@ -75,11 +75,11 @@ TEST(ElectricMotor, HasConstantTorqueThenConstantPower) {
     EXPECT_NEAR(m.at(0, -600), 25, 1e-12) << "it brakes backward too";
 }
 
-TEST(Gears, AreInterpolatedAndKnowWhichExist) {
+TEST(Gears, AreInterpolatedAndConnectedOnlyIfTheyExist) {
     const Gears<double> gears = powertrain().units[0].gears;
     EXPECT_EQ(gears.at(1).ratio, 4);
     EXPECT_EQ(gears.at(3).ratio, 1);
-    EXPECT_EQ(gears.at(7).ratio, 1) << "beyond the last the last";
+    EXPECT_EQ(gears.at(7).ratio, 1) << "beyond the last gear: the last";
     EXPECT_EQ(gears.at(-1).ratio, -3);
     EXPECT_EQ(gears.at(0).ratio, 0);
     EXPECT_EQ(gears.at(0).connected, 0);
@@ -89,7 +89,7 @@ TEST(Gears, AreInterpolatedAndKnowWhichExist) {
     EXPECT_EQ(make_powertrain<double>(forward_only).units[0].gears.at(-1).connected, 0);
 }
 
-TEST(Gears, FeelTheTorsionOfAllShaftsInSeries) {
+TEST(Gears, CombineTheTorsionOfAllShaftsInSeries) {
     // Both half-shafts side by side at the wheels, seen through 4 x 3 in first gear, in series with the unit's own.
     const double seen = 2 * 5000 / (12.0 * 12.0);
     EXPECT_NEAR(powertrain().units[0].gears.at(1).stiffness, 1 / (1 / 1000.0 + 1 / seen), 1e-9);
@@ -111,7 +111,7 @@ TEST(PowerUnit, PassesTheWindUpsTorqueThroughRatioAndEfficiency) {
     EXPECT_EQ(unit.evaluate(0.5, 0, 0, rotor, shaft, windup, 0, 0).out, 0) << "neutral";
 }
 
-TEST(PowerUnit, NeverMakesPower) {
+TEST(PowerUnit, NeverCreatesPower) {
     VehicleDescription d = axle();
     d.power_units[0].coupling = ConverterDescription{
         .speed_ratio = {0, 0.8, 1}, .torque_ratio = {2, 1, 1}, .capacity = {2e-3, 1.6e-3, 0}, .lockup_capacity = 200};
@@ -131,7 +131,7 @@ TEST(PowerUnit, NeverMakesPower) {
     }
 }
 
-TEST(Converter, MultipliesAtStallAndNotWhenItOverruns) {
+TEST(Converter, MultipliesTorqueAtStallButNotInOverrun) {
     Converter<double> c{Curve<double>({0, 0.8, 1}, {2, 1, 1}), Curve<double>({0, 0.8, 1}, {2e-3, 1.6e-3, 0}), 1, 120};
     const auto stall = c.evaluate(200, 0);
     EXPECT_NEAR(stall.pump, 2e-3 * 200 * 200, 1e-9);
@@ -141,12 +141,12 @@ TEST(Converter, MultipliesAtStallAndNotWhenItOverruns) {
     const auto overrun = c.evaluate(160, 200);
     EXPECT_NEAR(overrun.pump, -1.6e-3 * 200 * 200, 1e-9) << "the turbine drives the pump";
     EXPECT_EQ(overrun.multiplication, 1);
-    EXPECT_EQ(c.bridged(200, 100), 0);
-    EXPECT_EQ(c.bridged(200, 199), 1);
-    EXPECT_EQ(c.bridged(100, 99), 0) << "too slow, it would stall the engine";
+    EXPECT_EQ(c.lockup(200, 100), 0);
+    EXPECT_EQ(c.lockup(200, 199), 1);
+    EXPECT_EQ(c.lockup(100, 99), 0) << "too slow, it would stall the engine";
 }
 
-TEST(Differential, SharesTorqueAndLocksAsItsKindSays) {
+TEST(Differential, SplitsTorqueAndLocksByItsKind) {
     VehicleDescription d = axle();
     DifferentialDescription& rear = d.differentials[0];
     const auto made = [&] { return make_powertrain<double>(d).differentials[0]; };
@@ -155,10 +155,10 @@ TEST(Differential, SharesTorqueAndLocksAsItsKindSays) {
     EXPECT_EQ(open.b, 150);
     EXPECT_EQ(made().input_speed(30, 20), 75);
     rear.kind = DifferentialKind::limited_slip, rear.locking_drive = 0.125, rear.preload = 20;
-    const auto slipping = made().evaluate(100, 30, 20, 1.0);  // wound up beyond what holds
+    const auto slipping = made().evaluate(100, 30, 20, 1.0);  // wound up beyond the friction limit
     EXPECT_NEAR(slipping.lock, 20 + 0.125 * 300, 1e-9);
     EXPECT_NEAR(slipping.a + slipping.b, 300, 1e-9);
-    EXPECT_GT(slipping.b, slipping.a) << "the slower wheel gets more";
+    EXPECT_GT(slipping.b, slipping.a) << "the slower wheel receives more";
     rear.locking_coast = 0.05;
     EXPECT_NEAR(made().evaluate(-100, 30, 20, 1.0).lock, 20 + 0.05 * 300, 1e-9) << "braking";
     EXPECT_NEAR(made().evaluate(-100, -30, -40, 1.0).lock, 20 + 0.05 * 300, 1e-9)
@@ -175,7 +175,7 @@ TEST(Differential, SharesTorqueAndLocksAsItsKindSays) {
     EXPECT_EQ(viscous.evaluate(0, 25, 25, windup).lock, 0) << "no slip";
 }
 
-TEST(Powertrain, LeadsTorquesDownATreeAndSpeedsUp) {
+TEST(Powertrain, PropagatesTorquesDownTheTreeAndSpeedsUp) {
     VehicleDescription d = axle();
     d.suspensions.resize(4, d.suspensions[0]);
     d.differentials = {

@@ -1,4 +1,4 @@
-// The driver as a whole: every end with its reason, a memory that holds all, nothing allocated, controls that never jump.
+// The complete driver: every end condition with its reason, a complete memory, no allocation, continuous controls.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ using test::SingleTrack;
 
 const PathDescription bend{.points = {{0, 0}, {40, 0}, {80, 10}, {120, 40}, {150, 90}}};
 
-// Everything at once: a path, a speed that changes, gears.
+// All functions together: a path, a varying speed, gears.
 struct WholeDrive {
     PoweredCar powered;
     SingleTrack track;
@@ -42,24 +42,24 @@ struct WholeDrive {
         car.wheels_per_angle = steered.wheels_per_angle;
         return car;
     }
-    Senses senses() const {
+    Observation observation() const {
         const double time = step * PoweredDrive::h;
-        Senses out = powered.senses(schedule, time), beside = track.senses(time);
+        Observation out = powered.observation(schedule, time), beside = track.observation(time);
         out.x = beside.x, out.y = beside.y, out.yaw = beside.yaw;
         out.lateral_velocity = beside.lateral_velocity, out.yaw_rate = beside.yaw_rate;
         return out;
     }
-    // Steps, with a look after each.
-    template <class Look>
-    void go(int steps, Look&& look) {
+    // Calls `after_step` after every step.
+    template <class AfterStep>
+    void go(int steps, AfterStep&& after_step) {
         for (const int end = step + steps; step < end; ++step) {
-            if (step % PoweredDrive::interval == 0) driver.act(senses(), schedule);
+            if (step % PoweredDrive::interval == 0) driver.act(observation(), schedule);
             const double time = step * PoweredDrive::h;
             const SignalValue<double> rack = schedule.signal(Control::rack).at(time);
             track.rack = rack.value, track.rack_rate = rack.rate, track.speed = powered.speed;
             track.step(rack.acceleration, PoweredDrive::h);
             powered.step(schedule, time, PoweredDrive::h);
-            look();
+            after_step();
         }
     }
 };
@@ -72,18 +72,18 @@ TEST(Driver, DrivesAlongABendThroughTheGears) {
     });
     EXPECT_GE(highest, 3);
     EXPECT_GT(drive.driver.place().station, 100);
-    EXPECT_THAT(drive.driver.complaints(), testing::IsEmpty());
-    EXPECT_EQ(drive.driver.ended(), std::nullopt);
+    EXPECT_THAT(drive.driver.warnings(), testing::IsEmpty());
+    EXPECT_EQ(drive.driver.end_reason(), std::nullopt);
 }
 
-TEST(Driver, LeadsAllControlsEvenly) {
+TEST(Driver, MovesAllControlsContinuously) {
     WholeDrive drive;
     drive.go(1, [] {});
     const std::array controls{Control::rack, Control::throttle, Control::brake, Control::clutch};
     std::array<double, 4> before{};
     double rack_rate = 0, worst = 0, rate_jump = 0;
     drive.go(60000, [&] {
-        const double time = (drive.step + 1) * 2e-4;  // the end of the step, still of the last decision
+        const double time = (drive.step + 1) * 2e-4;  // end of the step, which still belongs to the last decision
         for (std::size_t i = 0; i < controls.size(); ++i) {
             const double start = drive.schedule.signal(controls[i]).at(time - 2e-4).value;
             if (drive.step % PoweredDrive::interval == 0) worst = std::max(worst, std::abs(start - before[i]));
@@ -98,7 +98,7 @@ TEST(Driver, LeadsAllControlsEvenly) {
     EXPECT_LT(rate_jump, 1e-11);
 }
 
-// From a memory and the controls as they are, a driver goes on with the same bits; a memory of another moment would not.
+// A driver resumed from its memory and controls continues bit for bit; a memory from another time does not.
 TEST(Driver, RemembersEverything) {
     for (const int stop : {1, 777, 10012, 25003, 45001}) {
         WholeDrive whole;
@@ -126,29 +126,29 @@ TEST(Driver, AllocatesNothing) {
     EXPECT_EQ(guard.allocations(), 0);
 }
 
-std::string end(const EndingDescription& ending, const Senses& last, const Senses& first = {.speed = 20}) {
+std::string end(const EndingDescription& ending, const Observation& last, const Observation& first = {.speed = 20}) {
     const DriverDescription description{.steering = PathFollowerDescription{.path = bend}, .ending = ending};
     Driver driver(description, SingleTrack().known(), SingleTrack::column());
     Schedule schedule({}, {});
     driver.begin(schedule);
     driver.act(first, schedule);
     for (int i = 1; i <= 200; ++i) {
-        Senses now = last;
+        Observation now = last;
         now.time = 0.005 * i;
         now.x = first.x + (last.x - first.x) * i / 200, now.y = first.y + (last.y - first.y) * i / 200;
         driver.act(now, schedule);
     }
-    return driver.ended().value_or("none");
+    return driver.end_reason().value_or("none");
 }
 
-TEST(Driver, TellsWhyTheRunIsOver) {
-    const Senses still{.speed = 20};
+TEST(Driver, ReportsWhyTheRunEnded) {
+    const Observation still{.speed = 20};
     EXPECT_EQ(end({}, still), "none");
     EXPECT_EQ(end({.speed_below = 2}, {.speed = 1}), "speed fell below 2 m/s at 0.005 s");
     EXPECT_EQ(end({.speed_below = 2, .earliest = 0.5}, {.speed = 1}), "speed fell below 2 m/s at 0.5 s");
     EXPECT_EQ(end({.speed_above = 25}, {.speed = 26}), "speed reached 26 m/s at 0.005 s");
-    EXPECT_EQ(end({.distance = 10}, {.x = 20, .speed = 20}), "driven 10 m at 0.5 s");
-    EXPECT_EQ(end({.station = 15}, {.x = 20, .speed = 20}), "came to 15.1 m along the path at 0.755 s");
+    EXPECT_EQ(end({.distance = 10}, {.x = 20, .speed = 20}), "distance reached 10 m at 0.5 s");
+    EXPECT_EQ(end({.station = 15}, {.x = 20, .speed = 20}), "reached 15.1 m along the path at 0.755 s");
     EXPECT_THAT(end({.path_offset = 0.5}, {.y = -1, .speed = 20}), testing::HasSubstr("left the path by 0.5"));
     EXPECT_THAT(end({.lateral_acceleration = 8}, {.speed = 20, .yaw_rate = -0.5}),
                 testing::HasSubstr("lateral acceleration reached 8."));
@@ -156,22 +156,22 @@ TEST(Driver, TellsWhyTheRunIsOver) {
     EXPECT_EQ(end({.roll = 0.5}, {.roll = -0.6, .speed = 20}), "roll angle reached 34.38 deg at 0.005 s");
 }
 
-TEST(Driver, ComplainsAboutAPathThatWasLeft) {
+TEST(Driver, WarnsAboutALargePathOffset) {
     Driver driver({.steering = PathFollowerDescription{.path = bend}}, SingleTrack().known(), SingleTrack::column());
     Schedule schedule({}, {});
     driver.act({.x = 10, .y = 2, .speed = 20}, schedule);
-    EXPECT_THAT(driver.complaints(), testing::ElementsAre(testing::StartsWith("the car was up to 2")));
+    EXPECT_THAT(driver.warnings(), testing::ElementsAre(testing::StartsWith("the car was up to 2")));
 }
 
-TEST(Driver, WhoHasNothingToDoLeavesTheScheduleAlone) {
-    EXPECT_FALSE(Driver().acts());
-    EXPECT_FALSE(Driver({}, {}, Column()).acts());
+TEST(Driver, WithoutTasksLeavesTheScheduleUnchanged) {
+    EXPECT_FALSE(Driver().is_active());
+    EXPECT_FALSE(Driver({}, {}, Column()).is_active());
     EXPECT_THROW(Driver({.ending = {.station = 4.0}}, {}, Column()), std::invalid_argument);
     Driver driver({.ending = {.speed_below = 1.0}}, {}, Column());
     ScenarioDescription scenario;
     scenario.brake = {{0, 1}, {0, 0.5}};
     Schedule schedule(scenario, {});
-    EXPECT_TRUE(driver.acts());
+    EXPECT_TRUE(driver.is_active());
     driver.begin(schedule);
     driver.act({.speed = 5}, schedule);
     EXPECT_EQ(schedule.signal(Control::brake).at(1).value, 0.5);

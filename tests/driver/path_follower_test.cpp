@@ -1,5 +1,5 @@
-// A driver who looks ahead keeps cars on their paths that are not the one he imagines: ISO 3888-1's double lane change, circles
-// up to the grip, and what a steering wheel cannot do.
+// The preview controller keeps cars on their paths that differ from its internal model: the ISO 3888-1 double lane change, circles
+// up to the friction limit, and the limits of the steering wheel.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace {
 using test::SingleTrack;
 constexpr double pi = std::numbers::pi;
 
-// A line through the lanes of ISO 3888-1: 3.5 m to the left between 15 and 45 m, back between 70 and 95 m. Drivers begin
-// to turn within a lane's clearance.
+// A path through the lanes of ISO 3888-1: 3.5 m to the left between 15 and 45 m, back between 70 and 95 m, using the clearance of
+// the lanes.
 PathDescription double_lane_change() {
     const auto rise = [](double share) { return 0.5 - 0.5 * std::cos(pi * std::clamp(share, 0.0, 1.0)); };
     PathDescription path;
@@ -50,8 +50,8 @@ Drive drive(SingleTrack car, const PathFollowerDescription& description, double 
     Drive out;
     for (int i = 0; i * h < duration; ++i) {
         if (i % interval == 0) {
-            follower.look(car.senses(i * h), memory);
-            rack = follower.steer(car.senses(i * h), {car.rack, car.rack_rate, 0}, interval * h, memory);
+            follower.update(car.observation(i * h), memory);
+            rack = follower.steer(car.observation(i * h), {car.rack, car.rack_rate, 0}, interval * h, memory);
             out.rate_jump =
                 std::max({out.rate_jump, std::abs(rack.rate - car.rack_rate), std::abs(rack.value - car.rack)});
             out.worst = std::max(out.worst, std::abs(memory.offset)), out.last = memory.offset;
@@ -78,14 +78,14 @@ TEST(PathFollower, DrivesTheDoubleLaneChangeAt80KilometersPerHour) {
         const Drive driven = drive(car, {.path = double_lane_change()}, 8);
         EXPECT_LT(driven.worst, 0.2);
         EXPECT_NEAR(driven.last, 0, 0.05);
-        EXPECT_EQ(driven.rate_jump, 0) << "the rack goes on where it was";
+        EXPECT_EQ(driven.rate_jump, 0) << "the rack moves continuously";
         EXPECT_LT(driven.fastest_turn, 5);
         EXPECT_GT(driven.most_acceleration, 4);
     }
 }
 
-// Strong or weak axles, light or heavy: the driver's idea of the car need not be right.
-TEST(PathFollower, CopesWithOtherCars) {
+// Stiff or compliant axles, light or heavy: the internal model need not be exact.
+TEST(PathFollower, HandlesOtherCars) {
     const auto driven = [](double front_stiffness, double rear_stiffness, double inertia) {
         SingleTrack car = at(80 / 3.6);
         car.x = -40;
@@ -101,17 +101,17 @@ TEST(PathFollower, KeepsACircleWithoutAnError) {
     for (const double speed : {5.0, 15.0, 25.0}) {
         const Drive driven = drive(at(speed), {.path = circle(100)}, 40);
         EXPECT_NEAR(driven.last, 0, 0.002) << speed;
-        EXPECT_LT(driven.worst, 0.2) << speed << ": a circle that begins at once";
+        EXPECT_LT(driven.worst, 0.2) << speed << ": a circle without a transition";
     }
 }
 
-TEST(PathFollower, KeepsACircleUpToTheGrip) {
+TEST(PathFollower, KeepsACircleUpToTheFrictionLimit) {
     const Drive driven = drive(at(10, 1), {.path = circle(100)}, 100, 0.2);
     EXPECT_GT(driven.most_acceleration, 8.9);
     EXPECT_LT(driven.worst, 0.2);
 }
 
-TEST(PathFollower, LooksFartherAndTurnsLess) {
+TEST(PathFollower, SteersLessWithALongerPreview) {
     SingleTrack car = at(80 / 3.6);
     car.x = -40;
     const Drive near = drive(car, {.path = double_lane_change(), .preview_time = 0.4}, 8);
@@ -120,7 +120,7 @@ TEST(PathFollower, LooksFartherAndTurnsLess) {
     EXPECT_GT(near.fastest_turn, far.fastest_turn);
 }
 
-TEST(PathFollower, ComesBackFromFarOff) {
+TEST(PathFollower, ReturnsFromALargeOffset) {
     for (const double speed : {3.0, 15.0, 30.0}) {
         SingleTrack car = at(speed, 1);
         car.y = 6;
@@ -131,7 +131,7 @@ TEST(PathFollower, ComesBackFromFarOff) {
     }
 }
 
-TEST(PathFollower, TurnsNoFartherAndNoFasterThanItMay) {
+TEST(PathFollower, RespectsLimitsOfAngleAndRate) {
     SingleTrack car = at(5);
     car.y = 8;
     const PathFollowerDescription description{
@@ -143,28 +143,28 @@ TEST(PathFollower, TurnsNoFartherAndNoFasterThanItMay) {
     EXPECT_GT(driven.fastest_turn, 2.9);
 }
 
-TEST(PathFollower, StandsStillWithoutTurning) {
+TEST(PathFollower, DoesNotSteerAtAStandstill) {
     SingleTrack car = at(0);
     car.y = 2;
     EXPECT_EQ(drive(car, {.path = {.points = {{-10, 0}, {500, 0}}}}, 3).most_angle, 0);
 }
 
-// Mirrored, all is mirrored to the last bit.
-TEST(PathFollower, KnowsNoSide) {
+// A mirrored maneuver is mirrored to the last bit.
+TEST(PathFollower, IsMirrorSymmetric) {
     const auto first_turn = [](double side) {
         SingleTrack car = at(20);
         car.y = 0.4 * side, car.yaw = 0.02 * side, car.yaw_rate = 0.1 * side;
         PathFollowerDescription description{.path = {.points = {{-10, 0}, {30, 2 * side}, {60, -side}, {90, 0}}}};
         const PathFollower follower(description, car.known(), SingleTrack::column());
         PathMemory memory;
-        follower.look(car.senses(0), memory);
-        return follower.steer(car.senses(0), {1e-3 * side, 2e-3 * side, 0}, 5e-3, memory).acceleration;
+        follower.update(car.observation(0), memory);
+        return follower.steer(car.observation(0), {1e-3 * side, 2e-3 * side, 0}, 5e-3, memory).acceleration;
     };
     EXPECT_EQ(first_turn(1), -first_turn(-1));
     EXPECT_NE(first_turn(1), 0);
 }
 
-TEST(PathFollower, WantsASteeringWheel) {
+TEST(PathFollower, RequiresASteeringWheel) {
     EXPECT_THROW(PathFollower({.path = circle(20)}, {}, Column()), std::invalid_argument);
 }
 
@@ -173,8 +173,8 @@ TEST(PathFollower, AllocatesNothing) {
     const PathFollower follower({.path = circle(100)}, car.known(), SingleTrack::column());
     PathMemory memory;
     const test::AllocationGuard guard;
-    follower.look(car.senses(0), memory);
-    follower.steer(car.senses(0), {}, 5e-3, memory);
+    follower.update(car.observation(0), memory);
+    follower.steer(car.observation(0), {}, 5e-3, memory);
     EXPECT_EQ(guard.allocations(), 0);
 }
 

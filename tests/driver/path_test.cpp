@@ -1,4 +1,4 @@
-// Paths against closed forms: lines, circles, a clothoid; and finding one's place beside them.
+// Paths against closed forms: lines, circles, a clothoid; and the nearest point on them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ PathDescription circle(double radius, int count) {
     return path;
 }
 
-TEST(Path, OfTwoPointsIsALineWithoutEnds) {
+TEST(Path, ThroughTwoPointsIsAnInfiniteLine) {
     const Path path({.points = {{1, 2}, {4, 6}}});
     EXPECT_NEAR(path.length(), 5, 1e-12);
     for (const double station : {-10.0, 0.0, 2.0, 5.0, 30.0}) {
@@ -55,7 +55,7 @@ TEST(Path, PassesThroughItsPointsWithoutAKink) {
 }
 
 // Heading and curvature are the derivatives of the position by the station, so a station is a length.
-TEST(Path, IsMeasuredByItsLength) {
+TEST(Path, StationIsArcLength) {
     const Path path({.points = {{0, 0}, {10, 1}, {14, 6}, {30, 7}, {33, 2}, {20, -9}}});
     const double h = 1e-4;
     for (double station = 0.5; station < path.length(); station += 0.7) {
@@ -108,7 +108,7 @@ TEST(Path, CountsLaps) {
     EXPECT_NEAR(place.station, 3 * path.length(), 0.01);
 }
 
-TEST(Path, FindsTheBranchThatLeadsTheCarsWay) {
+TEST(Path, FindsTheBranchInTheDirectionOfTravel) {
     const Path there_and_back({.points = {{0, 0}, {50, 0}, {60, 3}, {50, 6}, {0, 6}}});
     EXPECT_LT(there_and_back.nearest_of_all(20, 3.2, 0).station, 25);
     EXPECT_GT(there_and_back.nearest_of_all(20, 2.8, pi).station, 80);
@@ -123,7 +123,7 @@ TEST(Path, DoesNotLoseACarThatCutsAHairpin) {
     EXPECT_NEAR(station, path.length(), 0.5);
 }
 
-// Where a spline nearly stands still it has a direction all the same.
+// The direction is defined even where the spline's speed is nearly zero.
 TEST(Path, HasADirectionEverywhere) {
     const Path hairpin({.points = {{0, 0}, {20, 0}, {0.5, 2.5}}});
     for (double station = 0; station < hairpin.length(); station += 0.01) {
@@ -150,13 +150,13 @@ std::string mistake(const PathDescription& description) {
     return "none";
 }
 
-TEST(Path, TellsWhatIsWrongWithIt) {
+TEST(Path, RejectsInvalidPoints) {
     EXPECT_EQ(mistake({.points = {{0, 0}}}), "a path needs at least 2 points, found 1");
     EXPECT_EQ(mistake({.points = {{0, 0}, {1, 0}}, .closed = true}),
               "a path needs at least 3 points to be closed, found 2");
-    EXPECT_EQ(mistake({.points = {{0, 0}, {1, 0}, {1, 0}}}), "points 2 and 3 of the path lie in one place");
+    EXPECT_EQ(mistake({.points = {{0, 0}, {1, 0}, {1, 0}}}), "points 2 and 3 of the path coincide");
     EXPECT_THAT(mistake({.points = {{0, 0}, {1, 0}, {0, 0}}, .closed = true}),
-                testing::HasSubstr("points 3 and 1 of the path lie in one place; a closed path returns"));
+                testing::HasSubstr("points 3 and 1 of the path coincide; do not repeat"));
     EXPECT_EQ(mistake({.points = {{0, 0}, {std::numeric_limits<double>::quiet_NaN(), 0}}}),
               "point 2 of the path is not a number");
     EXPECT_EQ(mistake({.points = {{0, 0}, {1e12, 0}}}),
@@ -171,10 +171,10 @@ TEST(Path, TellsWhatIsWrongWithIt) {
     for (double y = 0; y < 100; y += 2) {
         for (const double x : {-1e6, 0.0, 1e6}) meander.points.push_back({std::fmod(y, 4) == 0 ? x : -x, 1e3 * y});
     }
-    EXPECT_THAT(mistake(meander), testing::HasSubstr("m long; expected 1e+07 m at most"));
+    EXPECT_THAT(mistake(meander), testing::HasSubstr("m long; expected at most 1e+07 m"));
 }
 
-TEST(Path, OfTheFarthestPointsIsSearchedSoon) {
+TEST(Path, SearchesTheLongestPathQuickly) {
     const Path path({.points = {{-1e6, -1e6}, {1e6, 1e6}}});
     const auto begin = std::chrono::steady_clock::now();
     const PathPlace place = path.nearest_of_all(1000, 1010, 0.5);

@@ -1,4 +1,4 @@
-// A mass with an engine, a clutch and a gearbox, for drivers to be tested on.
+// A mass with an engine, a clutch and a gearbox, for tests of the driver.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct PoweredCar {
     double lowest_rotor = 1e9, highest_rotor = 0;
 
     double ratio(double gear) const {
-        // An even passage may end a rounding beyond the last gear.
+        // A constant-rate change may end beyond the last gear by round-off.
         const auto of = [&](int whole) {
             const auto place = std::min(static_cast<std::size_t>(std::max(whole, 1)), gearbox.ratios.size()) - 1;
             return whole == 0 ? 0 : whole < 0 ? -gearbox.reverse_ratio : gearbox.ratios[place];
@@ -34,17 +34,17 @@ struct PoweredCar {
         const double share = gear - below;
         return share == 0 ? of(below) : (1 - share) * of(below) + share * of(below + 1);
     }
-    double most_torque() const { return std::max(0.0, 210 - 1.2e-3 * (rotor - 400) * (rotor - 400)); }
+    double max_torque() const { return std::max(0.0, 210 - 1.2e-3 * (rotor - 400) * (rotor - 400)); }
     // Overrun, and a governor that keeps the engine idling.
-    double least_torque() const {
+    double min_torque() const {
         return -0.05 * rotor + std::clamp(3 * (idle_speed - rotor), 0.0, 80.0) + 0.05 * idle_speed;
     }
 
-    // Throttle, brake, clutch and gear as the schedule says.
+    // Throttle, brake, clutch and gear from the schedule.
     void step(const Schedule& schedule, double time, double h) {
         const auto at = [&](Control control) { return schedule.signal(control).at(time).value; };
         const double throttle = at(Control::throttle), total = ratio(at(Control::gear)) * final_ratio;
-        const double engine = least_torque() + throttle * std::max(0.0, most_torque() - least_torque());
+        const double engine = min_torque() + throttle * std::max(0.0, max_torque() - min_torque());
         const double slip = rotor - total * speed / wheel_radius;
         const bool open = total == 0;
         const double torque = open ? 0 : clutch_capacity * (1 - at(Control::clutch)) * std::tanh(slip / 0.5);
@@ -56,15 +56,15 @@ struct PoweredCar {
         x += h * speed;
         lowest_rotor = std::min(lowest_rotor, rotor), highest_rotor = std::max(highest_rotor, rotor);
     }
-    Senses senses(const Schedule& schedule, double time) const {
-        Senses out{.time = time, .x = x, .speed = speed, .gear = schedule.signal(Control::gear).at(time).value};
+    Observation observation(const Schedule& schedule, double time) const {
+        Observation out{.time = time, .x = x, .speed = speed, .gear = schedule.signal(Control::gear).at(time).value};
         const double total = ratio(out.gear) * final_ratio;
         out.unit_count = 1;
         out.units[0] = {.speed = rotor,
                         .shaft_speed = total * speed / wheel_radius,
                         .wheel_ratio = total,
-                        .least_torque = least_torque(),
-                        .most_torque = most_torque()};
+                        .min_torque = min_torque(),
+                        .max_torque = max_torque()};
         return out;
     }
     DrivenCar known() const {
@@ -80,7 +80,7 @@ struct PoweredCar {
     }
 };
 
-// Car, driver and controls together. The steps are short: a clutch that holds is stiff.
+// Car, driver and controls together, with short steps because an engaged clutch is stiff.
 struct PoweredDrive {
     PoweredCar car;
     Schedule schedule;
@@ -95,19 +95,19 @@ struct PoweredDrive {
     }
     double time() const { return steps * h; }
     double value(Control control) const { return schedule.signal(control).at(time()).value; }
-    // As a run begins: a first gear, rotors that turn along, and the first decision anew.
+    // As at the start of a run: a first gear, matching rotor speeds, and the first decision repeated.
     void begin() {
-        driver.act(car.senses(schedule, 0), schedule);
-        driver.act(car.senses(schedule, 0), schedule);
+        driver.act(car.observation(schedule, 0), schedule);
+        driver.act(car.observation(schedule, 0), schedule);
         if (value(Control::clutch) < 1)
-            car.rotor = std::max(car.idle_speed, car.senses(schedule, 0).units[0].shaft_speed);
+            car.rotor = std::max(car.idle_speed, car.observation(schedule, 0).units[0].shaft_speed);
     }
-    // Calls `look` at every decision.
+    // Calls `at_decision` at every decision.
     template <class Look>
-    void go(double duration, Look&& look) {
+    void go(double duration, Look&& at_decision) {
         if (steps == 0) begin();
         for (const int end = steps + static_cast<int>(std::lround(duration / h)); steps < end; ++steps) {
-            if (steps % interval == 0) driver.act(car.senses(schedule, time()), schedule), look();
+            if (steps % interval == 0) driver.act(car.observation(schedule, time()), schedule), at_decision();
             car.step(schedule, time(), h);
         }
     }

@@ -1,5 +1,5 @@
-// Inputs over time: through every point of the table, never beyond its neighbors, with a rate and an acceleration that are
-// derivatives of the value; and a steering wheel that becomes a rack.
+// Inputs over time: they interpolate the table without overshoot, rate and acceleration are derivatives of the value, and steering
+// wheel angles become rack displacements.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -23,7 +23,7 @@ TEST(Signal, PassesThroughItsPoints) {
     }
 }
 
-TEST(Signal, StaysBetweenNeighboringPointsAndNeverTurnsBack) {
+TEST(Signal, IsMonotoneBetweenPoints) {
     const Signal signal(smooth);
     for (std::size_t i = 0; i + 1 < smooth.time.size(); ++i) {
         const double rise = smooth.value[i + 1] - smooth.value[i];
@@ -85,7 +85,7 @@ TEST(Signal, IsConstantOutsideItsTable) {
     }
 }
 
-TEST(Signal, OfOnePointIsConstantAndOfNoneIsZero) {
+TEST(Signal, IsConstantForOnePointAndZeroForNone) {
     for (const double time : {-1.0, 2.0, 7.0}) {
         EXPECT_EQ(Signal(SignalDescription{{2}, {0.7}}).at(time).value, 0.7);
         EXPECT_EQ(Signal(SignalDescription{{2}, {0.7}}).at(time).rate, 0);
@@ -114,7 +114,7 @@ ScenarioDescription steered(SteeringInput input) {
 }
 const SteeringDescription steering{.rack_per_revolution = 0.0365, .rack_travel = 0.073};
 
-TEST(Schedule, TurnsTheSteeringWheelIntoTheRack) {
+TEST(Schedule, ConvertsSteeringWheelAnglesToRackDisplacements) {
     const Schedule schedule(steered(SteeringInput::steering_wheel), steering);
     EXPECT_NEAR(schedule(3).rack.displacement, 0.0365 / 2, 1e-15) << "half a turn";
     const Input<double> middle = schedule(1);  // smooth from rest to rest: 3 s^2 - 2 s^3 over two seconds
@@ -123,12 +123,12 @@ TEST(Schedule, TurnsTheSteeringWheelIntoTheRack) {
     EXPECT_NEAR(schedule(0.5).rack.acceleration, (6 - 12 * 0.25) * 0.0365 / 2 / 4, 1e-15);
 }
 
-TEST(Schedule, TakesARackDisplacementAsItIs) {
+TEST(Schedule, UsesRackDisplacementsUnchanged) {
     const Schedule schedule(steered(SteeringInput::rack), steering);
     EXPECT_EQ(schedule(3).rack.displacement, std::numbers::pi);
 }
 
-TEST(Schedule, LeavesTheRackAloneWithoutSteering) {
+TEST(Schedule, KeepsTheRackCenteredWithoutSteering) {
     const Schedule schedule(steered(SteeringInput::none), steering);
     for (const double time : {0.0, 1.0, 3.0}) {
         EXPECT_EQ(schedule(time).rack.displacement, 0);
@@ -136,7 +136,7 @@ TEST(Schedule, LeavesTheRackAloneWithoutSteering) {
     }
 }
 
-TEST(Schedule, PassesDriveAndBrakeOn) {
+TEST(Schedule, PassesDriveAndBrakeThrough) {
     const Schedule schedule(steered(SteeringInput::rack), steering);
     EXPECT_NEAR(schedule(0.5).drive_torque, 300, 1e-12);
     EXPECT_EQ(schedule(0.5).brake, 0);
@@ -157,17 +157,17 @@ TEST(Schedule, KeepsEachGearUntilTheNext) {
     EXPECT_TRUE(schedule.powered() && schedule.windy());
 }
 
-TEST(Schedule, RemembersWhatItFollows) {
+TEST(Schedule, RestoresOverriddenControls) {
     Schedule schedule(steered(SteeringInput::rack), steering), other(steered(SteeringInput::rack), steering);
     schedule.follow(Control::rack, 2, {0.01, -0.2, 3}, 1e-3);
     Schedule::Memory memory;
     schedule.save(memory);
     other.restore(memory);
     EXPECT_EQ(other(2.003).rack.displacement, schedule(2.003).rack.displacement);
-    EXPECT_EQ(other(0.5).drive_torque, schedule(0.5).drive_torque) << "what follows nobody keeps its table";
+    EXPECT_EQ(other(0.5).drive_torque, schedule(0.5).drive_torque) << "other controls keep their tables";
 }
 
-// The piece that a driver leads on from goes as its Taylor series, whatever it is written over.
+// A control set by a driver follows its Taylor series, for any time scale.
 TEST(Schedule, FollowsADriverFromStepToStep) {
     Schedule schedule({}, {});
     for (const double step : {1e-3, 0.02}) {

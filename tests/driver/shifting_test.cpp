@@ -1,4 +1,4 @@
-// Gears and clutch: launches that neither stall nor race, gears one after the other, none back and forth.
+// Gears and clutch: launches without stalling or overspeed, gears in sequence, no hunting.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ ScenarioDescription with_throttle(double throttle) {
     return scenario;
 }
 
-// Whole gears in the order in which they were in.
+// Engaged gears in order.
 std::vector<int> gears(PoweredDrive& drive, double duration) {
     std::vector<int> out;
     drive.go(duration, [&] {
@@ -33,17 +33,17 @@ TEST(Shifting, GoesThroughTheGearsAtFullThrottle) {
     for (const bool automatic : {false, true}) {
         PoweredCar car;
         car.gearbox.automatic = automatic;
-        if (automatic) car.speed = 8;  // a clutch that nobody works is no converter
+        if (automatic) car.speed = 8;  // without a converter or a slipping clutch it cannot start from rest
         PoweredDrive drive(car, {.shifting = ShiftingDescription{}}, with_throttle(1));
         EXPECT_THAT(gears(drive, 30), ElementsAre(1, 2, 3, 4, 5)) << automatic;
         EXPECT_GT(drive.car.lowest_rotor, 0.9 * car.idle_speed) << automatic << ": stalled";
-        EXPECT_LT(drive.car.highest_rotor, 1.05 * car.gearbox.upshift_speed) << automatic << ": raced";
+        EXPECT_LT(drive.car.highest_rotor, 1.05 * car.gearbox.upshift_speed) << automatic << ": overspeed";
         EXPECT_GT(drive.car.speed, 45) << automatic;
     }
 }
 
-// Whatever the clutch holds and the foot wants.
-TEST(Shifting, LaunchesWithoutStallingOrRacing) {
+// For any clutch capacity and throttle.
+TEST(Shifting, LaunchesWithoutStallingOrOverspeed) {
     for (const double capacity : {250.0, 400.0, 1000.0}) {
         for (const double throttle : {0.2, 0.5, 1.0}) {
             PoweredCar car;
@@ -52,7 +52,7 @@ TEST(Shifting, LaunchesWithoutStallingOrRacing) {
             double last = 0, backward = 0, synchronous = -1, fastest = 0;
             drive.go(6, [&] {
                 backward = std::max(backward, last - drive.car.speed), last = drive.car.speed;
-                const UnitSense unit = drive.car.senses(drive.schedule, drive.time()).units[0];
+                const PowerUnitObservation unit = drive.car.observation(drive.schedule, drive.time()).units[0];
                 if (synchronous < 0) fastest = std::max(fastest, unit.speed);
                 if (synchronous < 0 && unit.speed - unit.shaft_speed < 5) synchronous = drive.time();
             });
@@ -67,11 +67,11 @@ TEST(Shifting, LaunchesWithoutStallingOrRacing) {
     }
 }
 
-TEST(Shifting, LaunchesAtFullThrottleAboutALaunchSpeed) {
+TEST(Shifting, LaunchesAtFullThrottleNearTheLaunchSpeed) {
     PoweredDrive drive({}, {.shifting = ShiftingDescription{}}, with_throttle(1));
     std::vector<double> slipping;
     drive.go(2, [&] {
-        const UnitSense unit = drive.car.senses(drive.schedule, drive.time()).units[0];
+        const PowerUnitObservation unit = drive.car.observation(drive.schedule, drive.time()).units[0];
         if (drive.time() > 0.4 && unit.speed - unit.shaft_speed > 30) slipping.push_back(unit.speed);
     });
     ASSERT_GT(slipping.size(), 20u);
@@ -79,15 +79,15 @@ TEST(Shifting, LaunchesAtFullThrottleAboutALaunchSpeed) {
     EXPECT_LT(*std::ranges::max_element(slipping), 0.75 * 600);
 }
 
-TEST(Shifting, LaunchesBackwards) {
+TEST(Shifting, LaunchesInReverse) {
     PoweredDrive drive({}, {.shifting = ShiftingDescription{.gear = -1}}, with_throttle(0.3));
     drive.go(4);
     EXPECT_LT(drive.car.speed, -2);
     EXPECT_GT(drive.car.lowest_rotor, 75);
 }
 
-// Lift, clutch, lever, clutch: within the gearbox's time, and the lever moves only while the clutch is open.
-TEST(Shifting, WorksAManualGearbox) {
+// Throttle, clutch, lever, clutch: within the shift time, and the lever moves only while the clutch is open.
+TEST(Shifting, OperatesAManualGearbox) {
     PoweredCar car;
     car.speed = 10;
     PoweredDrive drive(car, {.shifting = ShiftingDescription{}}, with_throttle(1));
@@ -110,7 +110,7 @@ TEST(Shifting, WorksAManualGearbox) {
     EXPECT_NEAR(ended - begun, 0.5, 0.06);
 }
 
-TEST(Shifting, OfAnAutomaticGoesEvenly) {
+TEST(Shifting, AutomaticGearboxChangesAtAConstantRate) {
     PoweredCar car;
     car.gearbox.automatic = true, car.speed = 14;
     PoweredDrive drive(car, {.shifting = ShiftingDescription{}}, with_throttle(1));
@@ -140,7 +140,7 @@ TEST(Shifting, BrakesDownToAStopInFirstGear) {
     EXPECT_EQ(drive.value(Control::clutch), 1);
 }
 
-// Up to a speed, and along a road whose grade asks for more or less: no gear is left and taken again.
+// Accelerating to a speed on various grades: no gear is left and chosen again.
 TEST(Shifting, DoesNotHunt) {
     for (const bool automatic : {false, true}) {
         for (const double speed : {9.0, 14.0, 19.0, 24.0, 29.0, 34.0}) {
@@ -160,7 +160,7 @@ TEST(Shifting, DoesNotHunt) {
     }
 }
 
-TEST(Shifting, ShiftsDownWhereTheRoadRises) {
+TEST(Shifting, ShiftsDownUphill) {
     PoweredCar car;
     car.speed = 28;
     PoweredDrive drive(car,
@@ -173,7 +173,7 @@ TEST(Shifting, ShiftsDownWhereTheRoadRises) {
     EXPECT_LT(drive.car.highest_rotor, 620);
 }
 
-TEST(Shifting, BeginsInTheGearThatFits) {
+TEST(Shifting, StartsInASuitableGear) {
     const auto first = [](double speed) {
         PoweredCar car;
         car.speed = speed;
@@ -187,18 +187,18 @@ TEST(Shifting, BeginsInTheGearThatFits) {
     EXPECT_EQ(first(45), 5);
 }
 
-TEST(Shifting, LockedWheelsAreNoReasonForFirstGear) {
+TEST(Shifting, DoesNotShiftDownForLockedWheels) {
     PoweredCar car;
     car.speed = 30;
     const Shifting shifting({}, car.known());
     ShiftMemory memory;
-    Senses senses{.speed = 30, .gear = 4};
-    senses.unit_count = 1;
+    Observation observation{.speed = 30, .gear = 4};
+    observation.unit_count = 1;
     const double total = car.ratio(4) * car.final_ratio;
-    senses.units[0] = {.speed = 378, .shaft_speed = 378, .wheel_ratio = total};
+    observation.units[0] = {.speed = 378, .shaft_speed = 378, .wheel_ratio = total};
     for (int i = 0; i < 400; ++i) {
-        shifting.decide(senses, 0, 0.005, memory);
-        senses.units[0].speed = 85, senses.units[0].shaft_speed = 0;
+        shifting.decide(observation, 0, 0.005, memory);
+        observation.units[0].speed = 85, observation.units[0].shaft_speed = 0;
     }
     EXPECT_GE(memory.gear, 4);
     EXPECT_TRUE(shifting.interrupts(memory)) << "but the clutch is open";
@@ -213,7 +213,7 @@ std::string mistake(const ShiftingDescription& description, PoweredCar car = {})
     return "none";
 }
 
-TEST(Shifting, NamesTheGearsThatThereAre) {
+TEST(Shifting, ListsTheExistingGearsInErrors) {
     EXPECT_EQ(mistake({.gear = 6}), "gear 6 does not exist: this vehicle has 5 forward gears and a reverse gear (-1)");
     PoweredCar single;
     single.gearbox.ratios = {1}, single.gearbox.reverse_ratio = 0;
@@ -222,12 +222,12 @@ TEST(Shifting, NamesTheGearsThatThereAre) {
     EXPECT_EQ(mistake({.gear = 0}, single), "none");
     EXPECT_EQ(mistake({.first_gear = 7}),
               "first gear 7 does not exist: this vehicle has 5 forward gears and a reverse gear (-1)");
-    EXPECT_EQ(mistake({.first_gear = -1}), "gears are chosen from a forward gear on, not from -1");
+    EXPECT_EQ(mistake({.first_gear = -1}), "the first gear must be a forward gear, found -1");
 }
 
-TEST(Shifting, HasNothingToDoWithoutGears) {
-    EXPECT_FALSE(Shifting({.gear = 3}, {}).acts());
-    EXPECT_FALSE(Driver({.shifting = ShiftingDescription{}}, {}, Column()).acts());
+TEST(Shifting, IsInactiveWithoutGears) {
+    EXPECT_FALSE(Shifting({.gear = 3}, {}).is_active());
+    EXPECT_FALSE(Driver({.shifting = ShiftingDescription{}}, {}, Column()).is_active());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A car for drivers to be tested on: a single track whose axles are those of a common car, not those that a driver imagines.
+// A single-track car for tests of the driver, with the axles of a typical car rather than those of the driver's internal model.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,7 @@ struct SingleTrack {
         const double most = friction * mass * 9.81 * other / (front + rear);
         return most * std::tanh(stiffness * slip / most);
     }
-    // With the rack accelerating evenly.
+    // With constant rack acceleration.
     void step(double rack_acceleration, double h) {
         rack += h * rack_rate + 0.5 * h * h * rack_acceleration;
         rack_rate += h * rack_acceleration;
@@ -38,7 +38,7 @@ struct SingleTrack {
         x += h * (speed * std::cos(yaw) - lateral_velocity * std::sin(yaw));
         y += h * (speed * std::sin(yaw) + lateral_velocity * std::cos(yaw));
     }
-    Senses senses(double time) const {
+    Observation observation(double time) const {
         return {.time = time,
                 .x = x,
                 .y = y,

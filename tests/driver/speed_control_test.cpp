@@ -1,5 +1,4 @@
-// Speeds are held with the pedals: by an engine and by a torque at the wheels, up and down hills, and honestly where they are
-// out of reach.
+// Speed control with the pedals, by an engine and by a torque at the wheels, uphill and downhill; unattainable speeds are reported.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -41,7 +40,7 @@ struct Mass {
     }
     Driver driver;
     double fastest = 0, slowest = 1e9, most_brake = 0;
-    int both = 0;  // steps with both feet down
+    int both = 0;  // steps with both pedals pressed
 };
 
 TEST(SpeedControl, HoldsASpeedWithoutAnError) {
@@ -54,7 +53,7 @@ TEST(SpeedControl, HoldsASpeedWithoutAnError) {
     }
 }
 
-TEST(SpeedControl, BeginsAtItsSpeedWithHardlyADip) {
+TEST(SpeedControl, StartsAtItsSpeedWithHardlyADip) {
     PoweredCar car;
     car.speed = 20;
     PoweredDrive drive(car, holding({{0}, {20}}));
@@ -63,7 +62,7 @@ TEST(SpeedControl, BeginsAtItsSpeedWithHardlyADip) {
     EXPECT_GT(least, 19.8);
     EXPECT_LT(most, 20.2);
     EXPECT_NEAR(drive.car.speed, 20, 0.01);
-    EXPECT_TRUE(drive.driver.complaints().empty());
+    EXPECT_TRUE(drive.driver.warnings().empty());
 }
 
 TEST(SpeedControl, FollowsASpeedThatRises) {
@@ -77,8 +76,8 @@ TEST(SpeedControl, FollowsASpeedThatRises) {
     EXPECT_LT(worst, 0.15);
 }
 
-// Twice the wanted step, once up and once down: no more than may be asked for, and no overshoot to speak of.
-TEST(SpeedControl, StepsWithinTheAccelerationThatMayBeAskedFor) {
+// Two steps of the target, up and down: within the acceleration limit, and almost without overshoot.
+TEST(SpeedControl, KeepsTheAccelerationLimit) {
     Mass up{.speed = 10}, down{.speed = 30};
     DriverDescription description{.speed = SpeedControlDescription{.speed = {{0}, {20}}, .largest_acceleration = 2}};
     up.go(description, 4);
@@ -95,7 +94,7 @@ TEST(SpeedControl, StepsWithinTheAccelerationThatMayBeAskedFor) {
     EXPECT_GT(down.most_brake, 0.1);
 }
 
-TEST(SpeedControl, OnlyLiftsTheFootIfItMayNotBrake) {
+TEST(SpeedControl, OnlyReleasesTheThrottleIfItMayNotBrake) {
     Mass car{.speed = 30};
     car.go({.speed = SpeedControlDescription{.speed = {{0}, {20}}, .may_brake = false}}, 10);
     EXPECT_EQ(car.most_brake, 0);
@@ -103,7 +102,7 @@ TEST(SpeedControl, OnlyLiftsTheFootIfItMayNotBrake) {
     EXPECT_GT(car.speed, 24);
 }
 
-// On a grade that the drag of the engine holds nearly, the feet do not change pedals back and forth.
+// On a grade that engine drag nearly balances, the pedals do not alternate.
 TEST(SpeedControl, DoesNotChatterBetweenThePedals) {
     for (double grade = -0.12; grade < 0.001; grade += 0.01) {
         PoweredCar car;
@@ -122,7 +121,7 @@ TEST(SpeedControl, DoesNotChatterBetweenThePedals) {
     }
 }
 
-TEST(SpeedControl, StopsAndStands) {
+TEST(SpeedControl, StopsAndHoldsTheCar) {
     Mass car{.speed = 8, .grade = 0.0};
     car.go({.speed = SpeedControlDescription{.speed = {{0}, {0}}}}, 12);
     EXPECT_NEAR(car.speed, 0, 0.02);
@@ -130,8 +129,8 @@ TEST(SpeedControl, StopsAndStands) {
     EXPECT_EQ(car.drive_torque, 0);
 }
 
-// From rest and out of motion, up and down; weak brakes are pressed fully.
-TEST(SpeedControl, StandsOnSlopes) {
+// From rest and from motion, uphill and downhill; weak brakes are fully applied.
+TEST(SpeedControl, HoldsTheCarOnSlopes) {
     for (const double grade : {-0.2, -0.1, 0.1, 0.2}) {
         for (const double start : {-1.0, 0.0, 6.0}) {
             Mass car{.speed = start, .grade = grade};
@@ -145,49 +144,49 @@ TEST(SpeedControl, StandsOnSlopes) {
     }
 }
 
-TEST(SpeedControl, LetsGoOfTheBrakeToDriveOn) {
+TEST(SpeedControl, ReleasesTheBrakeToDriveOn) {
     Mass car{.speed = 0, .grade = -0.1};
     car.go({.speed = SpeedControlDescription{.speed = {{0, 5, 10}, {0, 0, 8}}}}, 40);
     EXPECT_NEAR(car.speed, 8, 0.02);
 }
 
-// Where the gearbox takes nothing along, and where the clutch slips on and on.
-TEST(SpeedControl, SaysThatItStands) {
+// In neutral, and where the clutch slips permanently.
+TEST(SpeedControl, ReportsThatTheCarDoesNotMove) {
     for (const int gear : {-1, 0, 5}) {
         PoweredCar car;
         car.grade = gear == 5 ? 0.25 : 0;
         PoweredDrive drive(car, {.speed = SpeedControlDescription{.speed = {{0}, {5}}},
                                  .shifting = ShiftingDescription{.gear = gear}});
         drive.go(6);
-        ASSERT_EQ(drive.driver.complaints().size(), 1u) << gear;
-        EXPECT_THAT(drive.driver.complaints()[0], testing::HasSubstr("the wanted speed of 5 m/s was ")) << gear;
+        ASSERT_EQ(drive.driver.warnings().size(), 1u) << gear;
+        EXPECT_THAT(drive.driver.warnings()[0], testing::HasSubstr("the target speed of 5 m/s was ")) << gear;
     }
 }
 
-TEST(SpeedControl, SaysThatNeutralLosesSpeed) {
+TEST(SpeedControl, ReportsLostSpeedInNeutral) {
     PoweredCar car;
     car.speed = 10;
     PoweredDrive drive(
         car, {.speed = SpeedControlDescription{.speed = {{0}, {10}}}, .shifting = ShiftingDescription{.gear = 0}});
     drive.go(8);
-    ASSERT_EQ(drive.driver.complaints().size(), 1u);
-    EXPECT_THAT(drive.driver.complaints()[0], testing::HasSubstr("10 m/s was out of reach"));
+    ASSERT_EQ(drive.driver.warnings().size(), 1u);
+    EXPECT_THAT(drive.driver.warnings()[0], testing::HasSubstr("10 m/s was out of reach"));
 }
 
-TEST(SpeedControl, SaysWhatIsOutOfReach) {
+TEST(SpeedControl, ReportsAnUnattainableSpeed) {
     PoweredCar car;
     car.speed = 30;
     PoweredDrive drive(
         car, {.speed = SpeedControlDescription{.speed = {{0}, {80}}}, .shifting = ShiftingDescription{.gear = 5}});
     drive.go(5);
-    EXPECT_THAT(drive.driver.complaints(), testing::ElementsAre(testing::HasSubstr("80 m/s was not reached in time")));
+    EXPECT_THAT(drive.driver.warnings(), testing::ElementsAre(testing::HasSubstr("80 m/s was not reached in time")));
     drive.go(100);
-    ASSERT_EQ(drive.driver.complaints().size(), 1u);
-    EXPECT_THAT(drive.driver.complaints()[0], testing::HasSubstr("80 m/s was out of reach: the car came to "));
+    ASSERT_EQ(drive.driver.warnings().size(), 1u);
+    EXPECT_THAT(drive.driver.warnings()[0], testing::HasSubstr("80 m/s was out of reach: the car reached "));
     EXPECT_EQ(drive.value(Control::throttle), 1);
 }
 
-// Having stood at full throttle for long, the integral has not grown beyond use.
+// The integral has not wound up after a long time at full throttle.
 TEST(SpeedControl, DoesNotWindUp) {
     PoweredCar car;
     car.speed = 30, car.grade = 0.25;

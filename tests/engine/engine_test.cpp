@@ -7,7 +7,7 @@
 
 #include "hamilcar/batch/batch.hpp"
 #include "hamilcar/bench/engine_car.hpp"
-#include "hamilcar/engine/flush.hpp"
+#include "hamilcar/engine/flush_denormals.hpp"
 #include "road/crg_shapes.hpp"
 #include "support/fleet.hpp"
 #include "support/tires.hpp"
@@ -21,7 +21,7 @@ State<double> driven_plainly(const Simulation& simulation, long steps) {
     Integrator<State<double>> integrator(*find_method(solver.integrator), solver.step,
                                          simulation.model().vehicle.state_size, solver.tolerance);
     State<double> state = simulation.state();
-    const FlushTinyNumbers flush;
+    const FlushDenormals flush;
     for (long i = 0; i < steps; ++i) {
         integration_block(simulation.model(), integrator, simulation.schedule(), static_cast<double>(i) * solver.step,
                           state);
@@ -73,7 +73,7 @@ class EveryVehicle : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Shipped, EveryVehicle, testing::ValuesIn(shipped_vehicles()),
                          [](const auto& test) { return test.param; });
 
-// Steering, drive and brake for a second, exact and stabilized, in both charts, with the energy account and without.
+// Steering, drive and brake for a second, exact and stabilized, in both charts, with the energy balance and without.
 TEST_P(EveryVehicle, DrivesToTheBitsOfThePlainProgram) {
     const VehicleDescription vehicle = test::shipped(GetParam());
     ScenarioDescription scenario = test::everything_moves(vehicle);
@@ -103,16 +103,16 @@ TEST_P(EveryVehicle, StandsToTheBitsOfThePlainProgram) {
     expect_same_bits_by_every_engine(test::shipped(GetParam()), scenario, 1000, "standing");
 }
 
-// Cars of one topology whose masses, springs and points differ, beside each other and alone.
+// Cars of one topology with different masses, springs and hardpoints, in a batch and alone.
 TEST_P(EveryVehicle, HasTheSameBitsInABatch) {
     std::vector<Simulation> cars;
     for (int i = 0; i < 5; ++i) {
         VehicleDescription car = test::shipped(GetParam());
         car.chassis.mass *= 1 + 0.03 * i;
         for (SuspensionDescription& corner : car.suspensions) corner.springs[0].spring.rate *= 1 + 0.02 * i;
-        for (SuspensionDescription& spoke : car.suspensions) {
-            for (CutJointDescription& cut : spoke.linkage.cuts) cut.tip[2] += 5e-4 * i;
-            for (SuspensionSpringDescription& spring : spoke.springs) spring.spring.rate *= 1 + 0.02 * i;
+        for (SuspensionDescription& suspension : car.suspensions) {
+            for (CutJointDescription& cut : suspension.linkage.cuts) cut.tip[2] += 5e-4 * i;
+            for (SuspensionSpringDescription& spring : suspension.springs) spring.spring.rate *= 1 + 0.02 * i;
         }
         ScenarioDescription scenario = test::everything_moves(car);
         scenario.initial.velocity[0] += i;
@@ -187,7 +187,7 @@ TEST(Engines, RunEveryElementOfARoadToTheSameBits) {
     expect_same_bits_by_every_engine(test::shipped("truck_semitrailer"), s, 300, "with a trailer");
 }
 
-// What decays toward zero would end among the numbers too small to have all their digits.
+// States that decay toward zero would become denormals.
 TEST(Engines, LetACarStandToTheSameBits) {
     expect_same_bits_by_every_engine(test::paper_car(), test::scenario(20), 20000, "standing");
 }
@@ -200,7 +200,7 @@ TEST(Engines, AreTheFastestFirstAndFoundByName) {
         engine("sse9");
         FAIL();
     } catch (const std::invalid_argument& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("\"sse9\": expected one that this machine runs: "));
+        EXPECT_THAT(error.what(), testing::HasSubstr("\"sse9\": expected one that this machine supports: "));
         EXPECT_THAT(error.what(), testing::HasSubstr("portable"));
     }
 #if defined(__x86_64__)
@@ -209,30 +209,30 @@ TEST(Engines, AreTheFastestFirstAndFoundByName) {
 #endif
 }
 
-TEST(TurnProgram, IsSharedByRunsOfOneVehicle) {
+TEST(RhsProgram, IsSharedByRunsOfOneVehicle) {
     const Simulation one(test::paper_car(), test::scenario(1)), same(test::paper_car(), test::scenario(1, 5));
     VehicleDescription heavier = test::paper_car();
     heavier.chassis.mass += 1;
     const Simulation other(heavier, test::scenario(1));
     const Engine& engine = default_engine();
-    EXPECT_EQ(turn_program(one.model(), engine), turn_program(same.model(), engine));
-    EXPECT_NE(turn_program(one.model(), engine), turn_program(other.model(), engine));
+    EXPECT_EQ(rhs_program(one.model(), engine), rhs_program(same.model(), engine));
+    EXPECT_NE(rhs_program(one.model(), engine), rhs_program(other.model(), engine));
 }
 
-// The account of energy costs nothing where nobody keeps it.
-TEST(TurnProgram, LeavesOutWhatNobodyAsksFor) {
+// Without the energy balance its operations are not compiled.
+TEST(RhsProgram, LeavesOutTheUnusedEnergyBalance) {
     Model<double> model = test::make_model(test::paper_car());
     model.energy_balance = true;
-    const auto with = lean_turn_trace(model).graph.size();
+    const auto with = rhs_trace_without_dead_code(model).graph.size();
     model.energy_balance = false;
-    EXPECT_LT(lean_turn_trace(model).graph.size(), with);
+    EXPECT_LT(rhs_trace_without_dead_code(model).graph.size(), with);
 }
 
-TEST(FlushTinyNumbers, LastsAsLongAsItLives) {
-    volatile double tiny = 1e-300, factor = 1e-10;  // the product, 1e-310, has lost digits already
+TEST(FlushDenormals, LastsForItsLifetime) {
+    volatile double tiny = 1e-300, factor = 1e-10;  // the product, 1e-310, is denormal
     EXPECT_NE(tiny * factor, 0);
     {
-        const FlushTinyNumbers flush;
+        const FlushDenormals flush;
         EXPECT_EQ(tiny * factor, 0);
         EXPECT_EQ(tiny * 1e5, 1e-295);
     }

@@ -24,7 +24,7 @@ Spatial<double> moving(double x, double y) {
     return v;
 }
 
-TEST(Aerodynamics, PushesByTheSquareOfTheSpeed) {
+TEST(Aerodynamics, GrowsWithTheSquareOfTheSpeed) {
     const Aerodynamics<double> a(air());
     const auto out = a.evaluate(moving(40, 0), Vec3<double>::Zero());
     const double q = 0.5 * 1.2 * 40 * 40;
@@ -36,7 +36,7 @@ TEST(Aerodynamics, PushesByTheSquareOfTheSpeed) {
     EXPECT_NEAR(out.power, -q * 0.7 * 40, 1e-9);
 }
 
-TEST(Aerodynamics, FeelsTheFlowAndNotTheGround) {
+TEST(Aerodynamics, DependsOnTheFlowAndNotOnTheGround) {
     const Aerodynamics<double> a(air());
     const auto driving = a.evaluate(moving(30, 5), Vec3<double>::Zero());
     const auto standing = a.evaluate(moving(0, 0), Vec3<double>(-30, -5, 0));
@@ -47,7 +47,7 @@ TEST(Aerodynamics, FeelsTheFlowAndNotTheGround) {
     EXPECT_NEAR(driving.wrench[5], -1.2 * driving.wrench[1] - 0.6 * speed * 2.5 * 5, 1e-9);
 }
 
-TEST(Aerodynamics, WithoutAreasOfItsOwnResistsAllFlowAlike) {
+TEST(Aerodynamics, HasEqualDragInAllDirectionsByDefault) {
     AerodynamicsDescription plain = air();
     plain.side_area.reset(), plain.lift_area = {0, 0}, plain.yaw_volume = 0;
     const auto out = Aerodynamics<double>(plain).evaluate(moving(12, -9), Vec3<double>::Zero());

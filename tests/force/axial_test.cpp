@@ -1,5 +1,5 @@
-// Forces along a line against what a person would draw: the spring's line, the damper's broken line with its outer
-// slopes, the stop that is silent in its gap; spring and stop are minus the derivative of their potential.
+// Forces along a line against closed forms: the linear spring, the piecewise linear damper with its outer slopes, the stop that is
+// inactive in its gap; spring and stop are minus the derivative of their potential.
 #include <gtest/gtest.h>
 
 #include "hamilcar/force/axial.hpp"
@@ -47,19 +47,19 @@ TEST(Damper, IsStraightBetweenItsPoints) {
     }
 }
 
-TEST(Damper, GoesOnWithTheOuterSlopes) {
+TEST(Damper, ContinuesWithTheOuterSlopes) {
     const Damper<double> damper(curve);
     EXPECT_NEAR(damper.force(-1.5), 900 + 0.5 * 500 / 0.7, newton);
     EXPECT_NEAR(damper.force(2.9), -1300 - 2.0 * 600 / 0.7, newton);
 }
 
-TEST(Damper, OfTwoPointsIsLinearEverywhere) {
+TEST(Damper, WithTwoPointsIsLinear) {
     const Damper<double> damper(DamperDescription{{-1, 1}, {-2093, 2093}});
     for (const double rate : {-4.0, -1.0, -0.3, 0.0, 0.7, 1.0, 5.0})
         EXPECT_NEAR(damper.force(rate), -2093 * rate, newton);
 }
 
-TEST(Damper, TakesAsManyPointsAsItHasRoomFor) {
+TEST(Damper, AcceptsTheMaximumNumberOfPoints) {
     DamperDescription many;
     for (std::size_t i = 0; i <= Damper<double>::max_segments; ++i) {
         many.velocity.push_back(static_cast<double>(i) - 3);
@@ -71,7 +71,7 @@ TEST(Damper, TakesAsManyPointsAsItHasRoomFor) {
     }
 }
 
-TEST(Damper, RefusesMorePointsThanItHasRoomFor) {
+TEST(Damper, RejectsTooManyPoints) {
     DamperDescription many;
     for (std::size_t i = 0; i <= Damper<double>::max_segments + 1; ++i) {
         many.velocity.push_back(static_cast<double>(i));
@@ -80,13 +80,13 @@ TEST(Damper, RefusesMorePointsThanItHasRoomFor) {
     EXPECT_THROW(Damper<double>{many}, std::length_error);
 }
 
-TEST(Damper, WithoutPointsIsNoDamper) {
+TEST(Damper, WithoutPointsHasNoForce) {
     EXPECT_EQ(Damper<double>(DamperDescription{}).force(3), 0);
 }
 
 const Stop<double> stop{0.06, 60e3, 1e6};
 
-TEST(Stop, IsSilentInItsGapAndPushesBackBeyond) {
+TEST(Stop, IsZeroInItsGapAndResistsBeyond) {
     for (const double travel : {-0.2, 0.0, 0.059, 0.06}) {
         EXPECT_EQ(stop.force(travel), 0);
         EXPECT_EQ(stop.potential(travel), 0);

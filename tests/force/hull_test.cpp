@@ -1,5 +1,5 @@
 // The hull on the road: pressed at rest its wrench is minus the gradient of its potential in all six directions; in motion
-// it rubs against the slip and only ever takes energy.
+// friction opposes the slip and energy is only dissipated.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -31,7 +31,7 @@ Spatial<double> random_motion(std::mt19937& source) {
     return motion;
 }
 
-TEST(Hull, AboveTheRoadFeelsNothing) {
+TEST(Hull, HasNoForceAboveTheRoad) {
     const auto hull = hull_of(box);
     std::mt19937 source(1);
     const auto plane = road.seen_from(Vec3<double>(0, 0, 0.5), Mat3<double>::Identity());
@@ -56,7 +56,7 @@ TEST(Hull, AtRestIsMinusTheGradientOfItsPotential) {
 }
 
 // One point: the force splits into a normal part with Hunt and Crossley's factor and a tangential one against the slip.
-TEST(Hull, RubsAgainstTheSlip) {
+TEST(Hull, FrictionOpposesTheSlip) {
     const Vec3<double> point(0.75, -0.7, 0.45);
     const auto hull = hull_of({{0.75, -0.7, 0.45}});
     const auto plane = road.seen_from(above, R_GC);
@@ -80,11 +80,11 @@ TEST(Hull, RubsAgainstTheSlip) {
         pressing += normal > 0;
     }
     EXPECT_GT(pressing, 50);
-    EXPECT_LT(pressing, 100) << "a hull that flies off must not be held";
+    EXPECT_LT(pressing, 100) << "a separating hull must not be held";
 }
 
-// What is lost is all power less what the springs store, and it never has the wrong sign.
-TEST(Hull, OnlyTakesEnergy) {
+// The power of the contact is its lost power minus the rate of the stored energy, and the lost power is never positive.
+TEST(Hull, OnlyDissipatesEnergy) {
     const auto hull = hull_of(box);
     const auto plane = road.seen_from(above, R_GC);
     std::mt19937 source(3);

@@ -1,5 +1,5 @@
-// The integrator in use: every method's order measured on a smooth nonlinear equation, its stated reach on the real axis
-// found by decay and growth, the adaptive method's tolerance met or its failure told.
+// The integrator in use: every method's order measured on a smooth nonlinear equation, its stated limit on the real axis
+// found by decay and growth, the adaptive method's tolerance met or its failure reported.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -122,7 +122,7 @@ TEST(DriverFile, TellsWhereAMistakeIs) {
     EXPECT_THAT(
         mistake("[driver.path]\nx_m = [0.0, 1.0, 1.0]\ny_m = [0.0, 2.0, 2.0]\n"),
         HasSubstr("s.toml:2:7: key 'driver.path.x_m' = [0.0, 1.0, 1.0]: expected a path, but points 2 and 3 of the "
-                  "path lie in one place"));
+                  "path coincide"));
     EXPECT_THAT(mistake("[driver.path]\nclosed = true\nx_m = [0.0, 1.0]\ny_m = [0.0, 2.0]\n"),
                 HasSubstr("a path needs at least 3 points to be closed, found 2"));
     EXPECT_THAT(mistake("[driver.path]\nx_m = [0.0, 1.0]\ny_m = [0.0, 1.0]\npreview_s = 0.01\n"),

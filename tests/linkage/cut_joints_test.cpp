@@ -1,5 +1,5 @@
-// What the kinds of cut joints hold, seen by a part that is free to go anywhere: where they are closed, and how far they
-// are open elsewhere in meters. Their gradients and rates: linkage_test.cpp.
+// The kinds of cut joints, on a part that is otherwise free: where they are closed, and their violation elsewhere in
+// meters. Their gradients and rates: linkage_test.cpp.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -28,12 +28,12 @@ public:
         description_.cuts = {cut};
     }
     // Of all its equations together, with the part turned about the tip and the tip moved.
-    double opening(const Vec3<double>& shift, double rack = 0) const {
+    double violation(const Vec3<double>& shift, double rack = 0) const {
         const test::MovingLinkage held(description_);
         const LinkagePosition<double> at = held.loops({shift[0], shift[1], shift[2], 0.4, -0.3, 0.7}, {rack, 0, 0});
         double square = 0;
         for (int e = 0; e < held.linkage().nW(); ++e) {
-            const double one = held.linkage().opening(e, at);
+            const double one = held.linkage().violation(e, at);
             square += one * one;
         }
         return std::sqrt(square);
@@ -68,7 +68,7 @@ std::vector<Case> cases() {
 class CutJoints : public testing::TestWithParam<Case> {};
 
 TEST_P(CutJoints, AreClosedAtDesignHoweverThePartIsTurned) {
-    EXPECT_LE(HeldPoint(GetParam().kind, GetParam().tip).opening(Vec3<double>::Zero()), 1e-15);
+    EXPECT_LE(HeldPoint(GetParam().kind, GetParam().tip).violation(Vec3<double>::Zero()), 1e-15);
 }
 
 // To second order in the motion over the length of the rod or arm.
@@ -77,19 +77,19 @@ TEST_P(CutJoints, OpenByAsManyMetersAsTheTipIsMovedWhereTheyHold) {
     constexpr double moved = 1e-4, second_order = moved * moved / arm_length;
     for (const double sense : {1.0, -1.0}) {
         for (const Vec3<double>& d : GetParam().held) {
-            EXPECT_NEAR(held.opening(sense * moved * d), moved, second_order);
+            EXPECT_NEAR(held.violation(sense * moved * d), moved, second_order);
         }
-        for (const Vec3<double>& d : GetParam().free) EXPECT_LE(held.opening(sense * moved * d), second_order);
+        for (const Vec3<double>& d : GetParam().free) EXPECT_LE(held.violation(sense * moved * d), second_order);
     }
     const Directions& all = GetParam().held;
     if (all.size() < 2) return;
-    EXPECT_NEAR(held.opening(moved * (all.front() + all.back())), moved * std::numbers::sqrt2, second_order);
+    EXPECT_NEAR(held.violation(moved * (all.front() + all.back())), moved * std::numbers::sqrt2, second_order);
 }
 
 TEST_P(CutJoints, GoWithTheRack) {
     const HeldPoint held(GetParam().kind, GetParam().tip);
-    EXPECT_LE(held.opening(0.02 * drive, 0.02), 1e-15);
-    EXPECT_GT(held.opening(Vec3<double>::Zero(), 0.02), 1e-3);
+    EXPECT_LE(held.violation(0.02 * drive, 0.02), 1e-15);
+    EXPECT_GT(held.violation(Vec3<double>::Zero(), 0.02), 1e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, CutJoints, testing::ValuesIn(cases()),
@@ -100,11 +100,11 @@ TEST(CutJoint, StaysClosedOverItsWholeFreedom) {
     const std::vector<Case> all = cases();
     const auto held = [&](std::size_t i) { return HeldPoint(all[i].kind, all[i].tip); };
     const Vec3<double> rod = all[0].tip - foot;
-    EXPECT_LE(held(0).opening(test::turn(Vec3<double>(0.3, 0.1, 0.9).normalized(), 0.8) * rod - rod), 1e-15);
-    EXPECT_LE(held(1).opening(0.3 * across - 0.5 * third), 1e-15);
-    EXPECT_LE(held(2).opening(-0.5 * axis), 1e-15);
+    EXPECT_LE(held(0).violation(test::turn(Vec3<double>(0.3, 0.1, 0.9).normalized(), 0.8) * rod - rod), 1e-15);
+    EXPECT_LE(held(1).violation(0.3 * across - 0.5 * third), 1e-15);
+    EXPECT_LE(held(2).violation(-0.5 * axis), 1e-15);
     const Vec3<double> arm = arm_length * across;
-    EXPECT_LE(held(3).opening(test::turn(axis, 0.8) * arm - arm), 1e-15);
+    EXPECT_LE(held(3).violation(test::turn(axis, 0.8) * arm - arm), 1e-15);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Small linkages for what the recipes leave out: every kind of tree joint behind every other, and every kind of cut joint
-// between two parts that move, driven by the rack. Rods to the chassis leave them three freedoms.
+// Small linkages for cases that the recipes do not cover: every kind of tree joint behind every other, and every kind of cut joint
+// between two parts that move, driven by the rack. Rods to the chassis leave them three degrees of freedom.
 #pragma once
 
 #include <algorithm>
@@ -54,7 +54,7 @@ inline CutJointDescription rod(std::size_t part, std::size_t i) {
     return out;
 }
 
-// The second joint's part on the first's; rods hold what is more than three freedoms, the outer part first.
+// The second joint's part on the first's; rods remove all but three degrees of freedom, from the outer part first.
 inline LinkageSample joint_on_joint(const NamedTreeJoint& outer, const NamedTreeJoint& inner) {
     LinkageSample out;
     out.name = std::string(outer.name) + "_behind_" + inner.name;

@@ -57,11 +57,11 @@ TEST_P(Linkages, StandAtTheIdentityAndClosedAtDesign) {
 TEST_P(Linkages, CloseOverTheTravel) {
     for (const double t : times) {
         const Position at = moving_.closed_position(moving_.V(t), moving_.rack(t));
-        for (int e = 0; e < linkage_.nW(); ++e) EXPECT_NEAR(linkage_.opening(e, at), 0, 1e-14);
+        for (int e = 0; e < linkage_.nW(); ++e) EXPECT_NEAR(linkage_.violation(e, at), 0, 1e-14);
     }
 }
 
-// Coordinate by coordinate: what it carries moves as its column says, all else stays.
+// For each coordinate: the frames it carries move by its column of B, all others stay.
 TEST_P(Linkages, ColumnsAreTheMotionsOfTheirCoordinates) {
     const auto q = anywhere();
     const Position at = moving_.loops(q, {});
@@ -74,9 +74,9 @@ TEST_P(Linkages, ColumnsAreTheMotionsOfTheirCoordinates) {
             };
             const Spatial<double> moved = test::motion_of(pose_at, q[k]);
             const Vec3<double> at_anchor = velocity_at<double>(moved, linkage_.anchor());
-            const bool carried = (linkage_.path[frame] >> k) & 1;
-            EXPECT_EQ(carried, moved.norm() > 0.9) << "a unit rate must be seen";
-            const Spatial<double> column = carried ? at.B[k] : Spatial<double>::Zero();
+            const bool is_moved = (linkage_.path[frame] >> k) & 1;
+            EXPECT_EQ(is_moved, moved.norm() > 0.9) << "a unit rate must show";
+            const Spatial<double> column = is_moved ? at.B[k] : Spatial<double>::Zero();
             expect_near(column, spatial<double>(at_anchor, angular(moved)), "B");
         }
     }
@@ -103,7 +103,7 @@ TEST_P(Linkages, EntriesAreTheDerivativesOfPhi) {
     }
 }
 
-TEST_P(Linkages, FollowAndCreepAreWhatTheAssembledCoordinatesDo) {
+TEST_P(Linkages, HAndXAreDerivativesOfTheAssembledCoordinates) {
     for (const double t : times) {
         const auto V = moving_.V(t);
         const auto rack = moving_.rack(t);
@@ -119,17 +119,17 @@ TEST_P(Linkages, FollowAndCreepAreWhatTheAssembledCoordinatesDo) {
                 varied[j] = value;
                 return moving_.closed(varied, rack);
             };
-            expect_near(rows([&](int k) { return at.follow[k][j]; }), test::derivative(W, V[j], step), "H");
+            expect_near(rows([&](int k) { return at.Y[k][j]; }), test::derivative(W, V[j], step), "H");
         }
         const auto W = [&](double displacement) { return moving_.closed(V, {displacement, 0, 0}); };
         const Dependent expected = test::derivative(W, rack.displacement, step) * rack.rate;
-        expect_near(rows([&](int k) { return at.creep[k]; }), expected, "X");
+        expect_near(rows([&](int k) { return at.X[k]; }), expected, "X");
         EXPECT_EQ(expected.norm() > 1e-3, is_driven());
     }
 }
 
 // On open loops: Phi_w X + Phi_t + alpha Phi = 0 with Phi_w, Phi_t from differences; det Phi_w on the way.
-TEST_P(Linkages, CreepOnOpenLoopsAddsTheStabilization) {
+TEST_P(Linkages, XOnOpenLoopsIncludesTheStabilization) {
     const int n = linkage_.nW();
     if (n == 0) return;
     for (const double t : times) {
@@ -141,7 +141,7 @@ TEST_P(Linkages, CreepOnOpenLoopsAddsTheStabilization) {
                 Eigen::Map<const Eigen::VectorXd>(moving_.position(V, dependent, {displacement, 0, 0}).Phi.data(), n));
         };
         Eigen::MatrixXd Phi_w(n, n);
-        Eigen::VectorXd creep(n);
+        Eigen::VectorXd X(n);
         const Position at = moving_.position(V, W, rack, gain);
         for (int i = 0; i < n; ++i) {
             const auto Phi = [&](double value) {
@@ -150,13 +150,13 @@ TEST_P(Linkages, CreepOnOpenLoopsAddsTheStabilization) {
                 return Phi_at(varied, rack.displacement);
             };
             Phi_w.col(i) = test::derivative(Phi, W[i], step);
-            creep[i] = at.creep[linkage_.dependent[i]];
+            X[i] = at.X[linkage_.dependent[i]];
         }
         const Eigen::VectorXd Phi = Phi_at(W, rack.displacement);
         const Eigen::VectorXd Phi_t =
             test::derivative([&](double x) { return Phi_at(W, x); }, rack.displacement, step) * rack.rate;
         EXPECT_GT(Phi.norm(), 1e-3) << "the loops must be open";
-        expect_near(Phi_w * creep, -Phi_t - gain * Phi, "X");
+        expect_near(Phi_w * X, -Phi_t - gain * Phi, "X");
         EXPECT_NEAR(std::abs(at.determinant), std::abs(Phi_w.determinant()), by_difference);
     }
 }
@@ -182,7 +182,7 @@ TEST_P(Linkages, MotionsAreTheDerivativesOfPoses) {
     }
 }
 
-// One after the other; so one difference tells what all of them do.
+// Concatenated, so that one difference quotient covers all of them.
 template <class Part>
 Eigen::VectorXd in_a_row(int count, int size, const Part& part) {
     Eigen::VectorXd out(count * size);
@@ -190,7 +190,7 @@ Eigen::VectorXd in_a_row(int count, int size, const Part& part) {
     return out;
 }
 
-// J V' + x is how the frames move; `find_rates` tells what columns, wrenches, J, x and W do along the way, rack
+// J V' + x is the motion of the frames; `find_rates` gives the rates of columns, wrenches, J, x and W along it, rack
 // acceleration included.
 template <class WAt>
 void check_motion_and_rates(const MovingLinkage& moving, const WAt& W_at, double t, double alpha) {
@@ -206,7 +206,7 @@ void check_motion_and_rates(const MovingLinkage& moving, const WAt& W_at, double
     LinkageRates<double> rates;
     linkage.find_rates(at, V_rate, rack, rates);
     std::array<Spatial<double>, max_frames> x_rate;
-    linkage.find_drift_rates(at, rates, rack, alpha, x_rate);
+    linkage.find_prescribed_rates(at, rates, rack, alpha, x_rate);
 
     for (int frame = 1; frame <= nq; ++frame) {
         const auto pose_at = [&](double s) { return at_time(s).pose[frame].pose(); };
@@ -262,7 +262,7 @@ TEST_P(Linkages, NewtonStepConvergesQuadratically) {
 }
 
 // Between points of two parts, along or about coordinates, and the height of a point.
-TEST_P(Linkages, LinesChangeLengthAsTheirGradientAndDriftSay) {
+TEST_P(Linkages, LinesChangeLengthByGradientAndPrescribedRate) {
     const int last = linkage_.nq();
     const Vec3<double> outer(0.02, 0.62, 0.25), inner(-0.05, 0.4, 0.6);
     const std::array lines{
@@ -276,7 +276,7 @@ TEST_P(Linkages, LinesChangeLengthAsTheirGradientAndDriftSay) {
     const auto check = [&](const auto& see) {
         for (const double t : times) {
             const LineOfAction<double> line = at_time(t, see);
-            double rate = line.drift;
+            double rate = line.prescribed_rate;
             for (int j = 0; j < linkage_.nV(); ++j) rate += line.gradient[j] * moving_.V_rate(t)[j];
             const auto length = [&](double s) { return at_time(s, see).length; };
             EXPECT_NEAR(rate, test::derivative(length, t, step), by_difference);
@@ -304,9 +304,9 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Linkages, testing::ValuesIn(test::kind_samples()
 TEST(Recipes, EveryRecipeHasASampleWithARegularPartition) {
     const std::vector<LinkageSample> samples = test::recipe_samples();
     for (const LinkageSample& sample : samples) {
-        const LinkageVerdict verdict = choose_partition(sample.linkage, sample.wheels);
+        const PartitionResult verdict = choose_partition(sample.linkage, sample.wheels);
         EXPECT_EQ(verdict.problem, "") << sample.name;
-        EXPECT_EQ(verdict.freedoms, static_cast<int>(sample.wheels.size())) << sample.name;
+        EXPECT_EQ(verdict.degrees_of_freedom, static_cast<int>(sample.wheels.size())) << sample.name;
     }
     for (const Recipe* recipe : recipes()) {
         EXPECT_TRUE(std::ranges::any_of(samples, [&](const auto& s) { return s.keyword == recipe->keyword; }))

@@ -61,7 +61,7 @@ public:
         for (int i = 0; i < linkage_.nW(); ++i) W[i] += 0.02 * std::cos(2.0 * i + 1);
         return W;
     }
-    // W at t on the flow W' = H V' + X that starts open at t0: Runge-Kutta steps a quarter of the difference's.
+    // W at t from W' = H V' + X with loops open at t0, by Runge-Kutta steps a quarter as long as the difference's.
     Dependent stabilized(double t0, double t) const {
         const double h = (t - t0) / 8;
         Dependent W = opened(t0);
@@ -81,8 +81,8 @@ private:
         Dependent out = Dependent::Zero();
         for (int i = 0; i < linkage_.nW(); ++i) {
             const int k = linkage_.dependent[i];
-            out[i] = at.creep[k];
-            for (int j = 0; j < linkage_.nV(); ++j) out[i] += at.follow[k][j] * rate[j];
+            out[i] = at.X[k];
+            for (int j = 0; j < linkage_.nV(); ++j) out[i] += at.Y[k][j] * rate[j];
         }
         return out;
     }

@@ -12,7 +12,7 @@ namespace hamilcar::test {
 struct LinkageSample {
     std::string name, keyword;
     LinkageDescription linkage;
-    std::vector<CarriedPoint> wheels;
+    std::vector<PartPoint> wheels;
 };
 inline void PrintTo(const LinkageSample& sample, std::ostream* out) {
     *out << sample.name;

@@ -1,4 +1,4 @@
-// Who may come in, without any network.
+// Access control, without a network.
 #include "hamilcar/live/access.hpp"
 
 #include <gtest/gtest.h>
@@ -10,10 +10,10 @@ namespace {
 
 const Access access("secret", 8080);
 
-Request page() {
+HttpRequest page() {
     return {.method = "GET", .target = "/?token=secret", .host = "127.0.0.1:8080"};
 }
-Request link() {
+HttpRequest link() {
     return {.method = "GET",
             .target = "/live?token=secret",
             .host = "localhost:8080",
@@ -21,44 +21,44 @@ Request link() {
             .upgrade = true};
 }
 
-TEST(Access, IsForThosePrintedTheAddress) {
+TEST(Access, RequiresToken) {
     EXPECT_EQ(access.judge(page()), 200);
     EXPECT_EQ(access.judge(link()), 101);
     EXPECT_EQ(access.url(), "http://127.0.0.1:8080/?token=secret");
     for (const char* target : {"/", "/?", "/?token=", "/?token=secre", "/?token=secrets", "/?token=SECRET",
                                "/?other=secret", "/?token", "/?token=wrong&token=secret"}) {
-        Request request = page();
+        HttpRequest request = page();
         request.target = target;
         EXPECT_EQ(access.judge(request), 403) << target;
     }
-    Request further = page();
+    HttpRequest further = page();
     further.target = "/?theme=dark&token=secret&x";
     EXPECT_EQ(access.judge(further), 200);
 }
 
-TEST(Access, IsNotForOtherNamesOfThisMachine) {
+TEST(Access, RejectsOtherHosts) {
     for (const char* host : {"", "127.0.0.1", "127.0.0.1:8081", "evil.example:8080", "127.0.0.1:8080.evil.example",
                              "[::1]:8080", "LOCALHOST:8080"}) {
-        Request request = page();
+        HttpRequest request = page();
         request.host = host;
         EXPECT_EQ(access.judge(request), 403) << host;
     }
 }
 
-TEST(Access, OfTheLinkIsForTheOwnPageAlone) {
+TEST(Access, LinkRequiresOwnOrigin) {
     for (const char* origin : {"", "null", "http://evil.example", "https://127.0.0.1:8080", "http://127.0.0.1",
                                "http://127.0.0.1:80801", "file://"}) {
-        Request request = link();
+        HttpRequest request = link();
         request.origin = origin;
         EXPECT_EQ(access.judge(request), 403) << origin;
     }
-    Request plain = link();
+    HttpRequest plain = link();
     plain.upgrade = false;
     EXPECT_EQ(access.judge(plain), 426);
 }
 
-TEST(Access, KnowsTwoPathsAndTwoMethods) {
-    Request request = page();
+TEST(Access, AllowsTwoPathsAndTwoMethods) {
+    HttpRequest request = page();
     request.method = "HEAD";
     EXPECT_EQ(access.judge(request), 200);
     for (const char* method : {"POST", "PUT", "OPTIONS", "get", ""}) {
@@ -72,18 +72,18 @@ TEST(Access, KnowsTwoPathsAndTwoMethods) {
     }
 }
 
-TEST(Access, TellsWhoHasAnOldAddressWhatToDo) {
-    EXPECT_NE(refusal_text(403, "Forbidden").find("open the address that it has printed."), std::string::npos);
+TEST(Access, RefusalMentionsTheNewAddress) {
+    EXPECT_NE(refusal_text(403, "Forbidden").find("open the address that it printed."), std::string::npos);
     EXPECT_EQ(refusal_text(404, "Not Found"), "Not Found\n");
 }
 
-TEST(Secrets, AreComparedWhole) {
+TEST(SameSecret, ComparesWholeStrings) {
     EXPECT_TRUE(same_secret("abc", "abc"));
     for (const char* given : {"", "ab", "abd", "abcd", "abcabc"}) EXPECT_FALSE(same_secret(given, "abc")) << given;
     EXPECT_FALSE(same_secret("abc", ""));
 }
 
-TEST(Secrets, AreRandom) {
+TEST(RandomToken, IsUniqueHexadecimal) {
     std::set<std::string> seen;
     for (int i = 0; i < 100; ++i) {
         const std::string token = random_token();

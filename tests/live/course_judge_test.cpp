@@ -1,4 +1,4 @@
-// Drives through courses, by cars that are only pretended: what is touched, what is passed, and when it is over.
+// Drives through courses along prescribed paths: contacts, verdicts, and the end of a run.
 #include "hamilcar/live/course_judge.hpp"
 
 #include <gmock/gmock.h>
@@ -8,27 +8,27 @@
 #include <numbers>
 
 #include "hamilcar/live/course_result.hpp"
-#include "live/garage.hpp"
+#include "live/test_catalog.hpp"
 #include "support/allocation_guard.hpp"
 
 namespace hamilcar::live {
 namespace {
 
-constexpr double look_every = 0.005;  // [s]
+constexpr double update_interval = 0.005;  // [s]
 
-class InTheLane : public testing::Test {
+class CourseJudgeTest : public testing::Test {
 protected:
     VehicleDescription car = test::paper_car();
     Footprint box = footprint(car);
     CourseJudge judge{gates(), car};
 
-    // Straight ahead at a speed from x = -60 to where it is over, or to x = 60, `beside` the line there.
+    // Straight ahead at constant speed from x = -60 until the run is over or x = 60, at lateral offset `beside`.
     template <class F>
     CourseResult drive(double speed, const F& beside) {
         judge.begin();
-        for (double t = 0; !judge.run().over && speed * t < 120; t += look_every) {
+        for (double t = 0; !judge.run().over && speed * t < 120; t += update_interval) {
             const double x = -60 + speed * t;
-            judge.look({.time = t, .x = x, .y = beside(x), .speed = speed});
+            judge.update({.time = t, .x = x, .y = beside(x), .speed = speed});
         }
         return course_result(judge.course().course, judge.run());
     }
@@ -44,7 +44,7 @@ protected:
     }
 };
 
-TEST_F(InTheLane, IsPassedByWhoTouchesNothing) {
+TEST_F(CourseJudgeTest, PassesCleanRun) {
     const CourseResult result = drive(12.3);
     EXPECT_TRUE(result.finished);
     EXPECT_EQ(result.passed, std::optional(true));
@@ -56,14 +56,14 @@ TEST_F(InTheLane, IsPassedByWhoTouchesNothing) {
     EXPECT_EQ(result.verdicts.size(), 3u);
 }
 
-TEST_F(InTheLane, BeginsEightyMetersAhead) {
+TEST_F(CourseJudgeTest, StartsEightyMetersBeforeEntry) {
     const CourseJudge::Start start = judge.start();
     EXPECT_NEAR(start.x, -80, 1e-9);
     EXPECT_NEAR(start.y, 0, 1e-9);
     EXPECT_NEAR(start.yaw, 0, 1e-9);
 }
 
-TEST_F(InTheLane, CountsEachConeAndBoundaryOnce) {
+TEST_F(CourseJudgeTest, CountsEachConeAndBoundaryOnce) {
     const CourseResult left = drive(10, 2 - box.left + 0.01);
     EXPECT_TRUE(left.finished);
     EXPECT_EQ(left.passed, std::optional(false));
@@ -76,7 +76,7 @@ TEST_F(InTheLane, CountsEachConeAndBoundaryOnce) {
     EXPECT_EQ(drive(10, -2 - box.right - 0.01).passed, std::optional(false));
 }
 
-TEST_F(InTheLane, IsNotPassedBesideItsBoundaries) {
+TEST_F(CourseJudgeTest, FailsOutsideBoundaries) {
     for (const double beside : {-6.0, 6.0}) {
         const CourseResult result = drive(10, beside);
         EXPECT_TRUE(result.finished);
@@ -86,7 +86,7 @@ TEST_F(InTheLane, IsNotPassedBesideItsBoundaries) {
     }
 }
 
-TEST_F(InTheLane, EndsForWhoIsLost) {
+TEST_F(CourseJudgeTest, EndsFarFromLine) {
     const CourseResult result = drive(10, [](double x) { return x > 10 ? 3 * (x - 10) : 0.0; });
     EXPECT_TRUE(judge.run().over);
     EXPECT_FALSE(result.finished);
@@ -96,8 +96,8 @@ TEST_F(InTheLane, EndsForWhoIsLost) {
     EXPECT_THAT(result.verdicts.back().found, testing::EndsWith(" m"));
 }
 
-// What he did not come to he has not passed; what he touched counts.
-TEST_F(InTheLane, JudgesNoConeForWhoDoesNotFinish) {
+// An unfinished run can fail a criterion, but it cannot pass one.
+TEST_F(CourseJudgeTest, UnfinishedRunCannotPassCones) {
     const auto turn_off = [](double x) { return x > -10 ? 3 * (x + 10) : 0.0; };
     CourseResult result = drive(10, turn_off);
     EXPECT_FALSE(result.finished);
@@ -111,13 +111,13 @@ TEST_F(InTheLane, JudgesNoConeForWhoDoesNotFinish) {
     EXPECT_EQ(result.verdicts[1].passed, std::optional(false));
 }
 
-TEST_F(InTheLane, TellsWhatIsJudged) {
+TEST_F(CourseJudgeTest, SummaryNamesCriteria) {
     EXPECT_THAT(judge.course().summary, testing::HasSubstr("no cone may be hit and no boundary crossed"));
 }
 
-TEST_F(InTheLane, EndsForACarThatCannotGoOn) {
-    judge.look({.time = 0, .x = -60, .speed = 10});
-    judge.give_up();
+TEST_F(CourseJudgeTest, AbortEndsRun) {
+    judge.update({.time = 0, .x = -60, .speed = 10});
+    judge.abort();
     EXPECT_TRUE(judge.run().over);
     const CourseResult result = course_result(judge.course().course, judge.run());
     EXPECT_FALSE(result.finished);
@@ -126,28 +126,30 @@ TEST_F(InTheLane, EndsForACarThatCannotGoOn) {
     EXPECT_FALSE(judge.run().over);
 }
 
-TEST_F(InTheLane, IsWatchedWithoutAllocation) {
+TEST_F(CourseJudgeTest, UpdatesWithoutAllocation) {
     judge.begin();
     const test::AllocationGuard guard;
-    for (int i = 0; i < 2000; ++i) judge.look({.time = i * look_every, .x = -60 + 0.05 * i, .y = 1.5, .speed = 10});
+    for (int i = 0; i < 2000; ++i)
+        judge.update({.time = i * update_interval, .x = -60 + 0.05 * i, .y = 1.5, .speed = 10});
     EXPECT_TRUE(judge.run().over);
     EXPECT_EQ(guard.allocations(), 0);
 }
 
-// A car that turns swings its corners out.
-TEST_F(InTheLane, SeesTheCornersOfACarThatTurns) {
+// The corners of a yawed car stand out.
+TEST_F(CourseJudgeTest, ChecksCornersOfYawedCar) {
     judge.begin();
     const double yaw = 0.3, corner = box.front * std::sin(yaw) + box.left * std::cos(yaw);
     const auto touched = [&](double room) {
         judge.begin();
-        for (const double t : {0.0, look_every}) judge.look({.time = t, .x = 10, .y = 2 - corner - room, .yaw = yaw});
+        for (const double t : {0.0, update_interval})
+            judge.update({.time = t, .x = 10, .y = 2 - corner - room, .yaw = yaw});
         return judge.run().boundaries;
     };
     EXPECT_EQ(touched(0.01), 0);
     EXPECT_EQ(touched(-0.01), 1);
 }
 
-TEST(Circle, IsALapWithoutAnythingToPass) {
+TEST(CourseJudge, MeasuresLapWithoutCriteria) {
     constexpr double radius = 40, speed = 15, outside = 0.5;
     TestCourse circle{.id = "circle"};
     for (int i = 0; i < 72; ++i) {
@@ -160,14 +162,14 @@ TEST(Circle, IsALapWithoutAnythingToPass) {
     EXPECT_NEAR(std::hypot(start.x, start.y - radius), radius, 1e-3);
     EXPECT_NEAR(start.yaw, -80 / radius, 1e-3);
     const double r = radius + outside;
-    for (double t = 0; !judge.run().over && t < 60; t += look_every) {
+    for (double t = 0; !judge.run().over && t < 60; t += update_interval) {
         const double angle = -80 / radius + speed / r * t;
-        judge.look({.time = t,
-                    .x = r * std::sin(angle),
-                    .y = radius - r * std::cos(angle),
-                    .yaw = std::remainder(angle, 2 * std::numbers::pi),
-                    .speed = speed,
-                    .yaw_rate = speed / r});
+        judge.update({.time = t,
+                      .x = r * std::sin(angle),
+                      .y = radius - r * std::cos(angle),
+                      .yaw = std::remainder(angle, 2 * std::numbers::pi),
+                      .speed = speed,
+                      .yaw_rate = speed / r});
     }
     const CourseResult result = course_result(circle.course, judge.run());
     EXPECT_TRUE(result.finished);
@@ -184,26 +186,26 @@ TEST(Circle, IsALapWithoutAnythingToPass) {
     EXPECT_NEAR(found("mean lateral acceleration"), speed * speed / r, 1e-6);
 }
 
-// Driven by a person, from the start that the course gives.
-TEST(Ride, ThroughACourseIsJudged) {
-    Ride ride(1, {"car", "gates"}, test::paper_car(), test::scenario(1), gates());
-    EXPECT_NEAR(ride.state().position()[0], -80, 0.01);
-    EXPECT_FALSE(ride.frames().value().run.over);
+// Driven by controls, from the start that the course defines.
+TEST(LiveSimulation, JudgesDriveThroughCourse) {
+    LiveSimulation simulation(1, {"car", "gates"}, test::paper_car(), test::scenario(1), gates());
+    EXPECT_NEAR(simulation.state().position()[0], -80, 0.01);
+    EXPECT_FALSE(simulation.frames().value().run.over);
     for (int round = 0; round < 2; ++round) {
         CourseRun run;
         for (int i = 0; i < 20000 && !run.over; ++i) {
-            ASSERT_FALSE(ride.advance({.controls = {.throttle = 0.8}}));
+            ASSERT_FALSE(simulation.advance({.controls = {.throttle = 0.8}}));
             if (i % 10 != 0) continue;
-            ride.show({});
-            ride.frames().fetch();
-            run = ride.frames().value().run;
+            simulation.publish_frame({});
+            simulation.frames().fetch();
+            run = simulation.frames().value().run;
         }
         EXPECT_TRUE(run.finished);
-        EXPECT_EQ(course_result(ride.course()->course, run).passed, std::optional(true));
+        EXPECT_EQ(course_result(simulation.course()->course, run).passed, std::optional(true));
         EXPECT_GT(run.entry_speed, 10);
-        ride.reset();
-        ride.frames().fetch();
-        EXPECT_FALSE(ride.frames().value().run.over);
+        simulation.reset();
+        simulation.frames().fetch();
+        EXPECT_FALSE(simulation.frames().value().run.over);
     }
 }
 

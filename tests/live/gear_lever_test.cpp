@@ -1,4 +1,4 @@
-// Cars with power units in the hands of a person: gears go in when they may, clutches spare engines, and the start is a start.
+// Cars with power units under interactive control: gear changes, clutch actuation, and a reproducible reset.
 #include "hamilcar/live/gear_lever.hpp"
 
 #include <gtest/gtest.h>
@@ -6,48 +6,49 @@
 #include <bit>
 #include <cmath>
 
-#include "hamilcar/live/ride.hpp"
+#include "hamilcar/live/live_simulation.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/fleet.hpp"
 
 namespace hamilcar::live {
 namespace {
 
-class Driven {
+class DrivenSimulation {
 public:
-    explicit Driven(const VehicleDescription& vehicle) : ride(1, {"car", "flat"}, vehicle, test::scenario(1)) {}
+    explicit DrivenSimulation(const VehicleDescription& vehicle)
+        : simulation(1, {"car", "flat"}, vehicle, test::scenario(1)) {}
 
-    // What the car does after each 10 ms is looked at by `see`.
+    // Calls `see` every 10 ms.
     template <class F>
-    void drive(double seconds, const Controls& held, const F& see) {
+    void drive(double seconds, const Controls& controls, const F& see) {
         for (double t = 0; t < seconds && !ended; t += 0.01) {
             for (int i = 0; i < 10; ++i) {
-                const auto end = ride.advance({.controls = held});
+                const auto end = simulation.advance({.controls = controls});
                 ended = end.has_value();
                 ASSERT_FALSE(end) << end->message;
             }
             see();
         }
     }
-    void drive(double seconds, const Controls& held) {
-        drive(seconds, held, [] {});
+    void drive(double seconds, const Controls& controls) {
+        drive(seconds, controls, [] {});
     }
     double operator[](const std::string& name) {
-        const std::span<const double> values = ride.observe();
+        const std::span<const double> values = simulation.channel_values();
         for (std::size_t i = 0; i < values.size(); ++i) {
-            if (ride.channels()[i].column.name == name) return values[i];
+            if (simulation.channels()[i].column.name == name) return values[i];
         }
         ADD_FAILURE() << "there is no channel " << name;
         return 0;
     }
     double speed() { return (*this)["chassis.longitudinal_velocity"]; }
 
-    Ride ride;
+    LiveSimulation simulation;
     bool ended = false;
 };
 
-TEST(GearLever, ShiftsUpAndDownByItself) {
-    Driven car(test::shipped_car());
+TEST(GearLever, ShiftsAutomatically) {
+    DrivenSimulation car(test::shipped_car());
     double highest = 0, slowest = 1e9, fastest = 0;
     const auto see = [&] {
         highest = std::max(highest, car["engine.gear"]);
@@ -64,8 +65,8 @@ TEST(GearLever, ShiftsUpAndDownByItself) {
     EXPECT_GT(slowest, 600);
 }
 
-TEST(GearLever, PutsInTheGearThatIsWanted) {
-    Driven car(test::shipped_car());
+TEST(GearLever, EngagesRequestedGear) {
+    DrivenSimulation car(test::shipped_car());
     car.drive(4, {.throttle = 0.6, .selector = Selector::manual, .gear = 1});
     EXPECT_EQ(car["engine.gear"], 1);
     const double first = car["engine.speed"];
@@ -78,12 +79,12 @@ TEST(GearLever, PutsInTheGearThatIsWanted) {
     EXPECT_GT(pressed, 0.95);
     EXPECT_LT(between, 0.05);
     EXPECT_NEAR(car["engine.speed"], first * 2.2 / 3.83, 0.1 * first);
-    car.drive(1, {.selector = Selector::manual, .gear = 20});  // the highest there is
+    car.drive(1, {.selector = Selector::manual, .gear = 20});  // limited to the highest gear
     EXPECT_EQ(car["engine.gear"], 5);
 }
 
-TEST(GearLever, LeavesNeutralForTheGearThatFits) {
-    Driven car(test::shipped_car());
+TEST(GearLever, EngagesSuitableGearFromNeutral) {
+    DrivenSimulation car(test::shipped_car());
     car.drive(8, {.throttle = 1});
     car.drive(2, {.selector = Selector::neutral});
     EXPECT_EQ(car["engine.gear"], 0);
@@ -100,11 +101,11 @@ TEST(GearLever, LeavesNeutralForTheGearThatFits) {
     EXPECT_NEAR(car.speed(), before, 2);
 }
 
-// Not through all the gears below the one that fits, which would spin the engine far beyond its limit.
-TEST(GearLever, LeavesNeutralOfAnAutomaticGearboxAtOnce) {
+// Passing through all lower gears would spin the engine far beyond its limit.
+TEST(GearLever, AutomaticGearboxSkipsGearsFromNeutral) {
     for (const char* name : {"truck_semitrailer", "offroader"}) {
         SCOPED_TRACE(name);
-        Driven car(test::shipped(name));
+        DrivenSimulation car(test::shipped(name));
         car.drive(12, {.throttle = 1});
         car.drive(1, {.selector = Selector::neutral});
         const double before = car.speed(), idle = car["engine.speed"];
@@ -116,8 +117,8 @@ TEST(GearLever, LeavesNeutralOfAnAutomaticGearboxAtOnce) {
     }
 }
 
-TEST(GearLever, GoesIntoReverseAtAStandstillAlone) {
-    Driven car(test::shipped_car());
+TEST(GearLever, EngagesReverseOnlyNearStandstill) {
+    DrivenSimulation car(test::shipped_car());
     car.drive(3, {.throttle = 0.5});
     ASSERT_GT(car.speed(), 3);
     car.drive(1, {.selector = Selector::reverse});
@@ -127,24 +128,24 @@ TEST(GearLever, GoesIntoReverseAtAStandstillAlone) {
     car.drive(3, {.throttle = 0.3, .selector = Selector::reverse});
     ASSERT_LT(car.speed(), -1.5);
     car.drive(1, {.throttle = 0.3});
-    EXPECT_EQ(car["engine.gear"], 0);  // ahead: not yet either
+    EXPECT_EQ(car["engine.gear"], 0);  // no forward gear yet either
     car.drive(3, {.brake = 0.5});
     car.drive(3, {.throttle = 0.5});
     EXPECT_GT(car.speed(), 1);
 }
 
-TEST(GearLever, StaysInNeutralWhereThereIsNoReverse) {
+TEST(GearLever, StaysInNeutralWithoutReverseGear) {
     VehicleDescription vehicle = test::shipped_car();
     vehicle.power_units[0].gearbox.reverse_ratio = 0;
-    Driven car(vehicle);
+    DrivenSimulation car(vehicle);
     car.drive(2, {.throttle = 0.5, .selector = Selector::reverse});
     EXPECT_EQ(car["engine.gear"], 0);
     EXPECT_NEAR(car.speed(), 0, 0.01);
-    EXPECT_GT(car["engine.speed"], 3000);  // the foot is on the throttle all the same
+    EXPECT_GT(car["engine.speed"], 3000);  // the throttle pedal is pressed
 }
 
-TEST(GearLever, LeavesTheClutchToWhoPressesIt) {
-    Driven car(test::shipped_car());
+TEST(GearLever, ClutchPedalOpensClutch) {
+    DrivenSimulation car(test::shipped_car());
     car.drive(2, {.throttle = 0.4, .clutch = 1});
     EXPECT_EQ(car["engine.gear"], 1);
     EXPECT_NEAR(car.speed(), 0, 0.05);
@@ -153,15 +154,15 @@ TEST(GearLever, LeavesTheClutchToWhoPressesIt) {
     EXPECT_GT(car.speed(), 2);
 }
 
-// Ahead, back, and rolling in neutral; engines neither stall nor burst.
+// Forward, backward, and coasting in neutral; engines neither stall nor overspeed.
 TEST(GearLever, DrivesEveryShippedCar) {
     std::vector<std::string> names = test::fleet();
     names.push_back("electric_hatchback");
     for (const std::string& name : names) {
         SCOPED_TRACE(name);
-        Driven car(test::shipped(name));
-        ASSERT_TRUE(car.ride.car().powered);
-        const PowerUnitDescription& unit = car.ride.vehicle().power_units[0];
+        DrivenSimulation car(test::shipped(name));
+        ASSERT_TRUE(car.simulation.car().powered);
+        const PowerUnitDescription& unit = car.simulation.vehicle().power_units[0];
         double fastest = 0, hardest = 0;
         const auto see = [&] {
             fastest = std::max(fastest, std::abs(car[unit.name + ".speed"]));
@@ -182,25 +183,25 @@ TEST(GearLever, DrivesEveryShippedCar) {
     }
 }
 
-Controls lesson(long step) {
+Controls maneuver(long step) {
     if (step < 3000) return {.throttle = 0.9};
     if (step < 4000) return {.selector = Selector::manual, .gear = 1};
     return {.brake = 0.5, .selector = Selector::reverse, .clutch = 0.3};
 }
 
-TEST(GearLever, StartsAnewToTheBit) {
+TEST(GearLever, ResetIsBitIdentical) {
     for (const char* name : {"bmw_323i", "offroader", "electric_hatchback"}) {
-        Ride ride(1, {"car", "flat"}, test::shipped(name), test::scenario(1));
+        LiveSimulation simulation(1, {"car", "flat"}, test::shipped(name), test::scenario(1));
         const auto drive = [&](long show_every) {
             for (long i = 0; i < 5000; ++i) {
-                ride.advance({.controls = lesson(i)});
-                if (i % show_every == 0) ride.show({});
+                simulation.advance({.controls = maneuver(i)});
+                if (i % show_every == 0) simulation.publish_frame({});
             }
-            return ride.state();
+            return simulation.state();
         };
         const State<double> first = drive(3);
-        ride.advance({.controls = {.throttle = 1}});
-        ride.reset();
+        simulation.advance({.controls = {.throttle = 1}});
+        simulation.reset();
         const State<double> second = drive(1000);
         for (std::size_t k = 0; k < first.values.size(); ++k) {
             ASSERT_EQ(std::bit_cast<std::uint64_t>(first.values[k]), std::bit_cast<std::uint64_t>(second.values[k]))
@@ -210,14 +211,14 @@ TEST(GearLever, StartsAnewToTheBit) {
 }
 
 TEST(GearLever, AllocatesNothing) {
-    Ride ride(1, {"car", "flat"}, test::shipped_car(), test::scenario(1));
-    for (long i = 0; i < 20; ++i) ride.advance({.controls = lesson(0)}), ride.show({});
+    LiveSimulation simulation(1, {"car", "flat"}, test::shipped_car(), test::scenario(1));
+    for (long i = 0; i < 20; ++i) simulation.advance({.controls = maneuver(0)}), simulation.publish_frame({});
     const test::AllocationGuard guard;
     for (long i = 2500; i < 4500; ++i) {
-        ride.advance({.controls = lesson(i)});
-        if (i % 10 == 0) ride.show({});
+        simulation.advance({.controls = maneuver(i)});
+        if (i % 10 == 0) simulation.publish_frame({});
     }
-    ride.reset();
+    simulation.reset();
     EXPECT_EQ(guard.allocations(), 0);
 }
 

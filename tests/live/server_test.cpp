@@ -1,12 +1,12 @@
-// The server on a real socket: who gets what, and that nobody who misbehaves is felt by anybody else.
+// The server on a real socket: responses, and isolation of pages from a misbehaving one.
 #include "hamilcar/live/server.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "hamilcar/live/lobby.hpp"
-#include "live/garage.hpp"
+#include "hamilcar/live/connections.hpp"
 #include "live/socket_client.hpp"
+#include "live/test_catalog.hpp"
 
 namespace hamilcar::live {
 namespace {
@@ -16,7 +16,7 @@ using testing::StartsWith;
 
 const std::string page = "<!doctype html><title>Drive</title>";
 
-class Served : public testing::Test {
+class LiveServer : public testing::Test {
 protected:
     void SetUp() override {
         thread =
@@ -44,7 +44,7 @@ protected:
                "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
                "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n";
     }
-    // A page that is connected and has had its hello.
+    // A page that is connected and has received its hello.
     SocketClient connected(int receive_buffer = 0) const {
         SocketClient client(server.port(), receive_buffer);
         client.send(upgrade(server.token(), "http://" + host()));
@@ -54,12 +54,12 @@ protected:
     }
 
     std::vector<std::string> lines;
-    Session session{garage(), {"car", "flat"}, scratch_folder()};
+    Session session{test_catalog(), {"car", "flat"}, scratch_folder()};
     Server server{session, {page, 0, [this](const std::string& line) { lines.push_back(line); }}};
     std::jthread thread;
 };
 
-TEST_F(Served, IsThePageToWhoHasTheToken) {
+TEST_F(LiveServer, ServesPageWithToken) {
     EXPECT_EQ(server.url(), "http://" + host() + "/?token=" + server.token());
     const std::string found = get("/?token=" + server.token());
     EXPECT_THAT(found, StartsWith("HTTP/1.1 200 "));
@@ -73,11 +73,11 @@ TEST_F(Served, IsThePageToWhoHasTheToken) {
     EXPECT_THAT(head, testing::EndsWith("\r\n\r\n"));
 }
 
-TEST_F(Served, IsNothingToStrangers) {
+TEST_F(LiveServer, RejectsUnauthorizedRequests) {
     const std::string with_token = "?token=" + server.token();
     EXPECT_THAT(get("/"), StartsWith("HTTP/1.1 403 "));
     EXPECT_THAT(get("/?token=0123"), StartsWith("HTTP/1.1 403 "));
-    EXPECT_THAT(get("/?token=0123"), HasSubstr("open the address that it has printed."));
+    EXPECT_THAT(get("/?token=0123"), HasSubstr("open the address that it printed."));
     EXPECT_THAT(get("/" + with_token, "GET", "evil.example"), StartsWith("HTTP/1.1 403 "));
     EXPECT_THAT(get("/favicon.ico" + with_token), StartsWith("HTTP/1.1 404 "));
     EXPECT_THAT(get("/" + with_token, "POST"), StartsWith("HTTP/1.1 405 "));
@@ -90,41 +90,42 @@ TEST_F(Served, IsNothingToStrangers) {
     EXPECT_THAT(answer(twice), StartsWith("HTTP/1.1 403 "));
 }
 
-TEST_F(Served, ToOneWhoDrivesAndOneWhoWatches) {
+TEST_F(LiveServer, ServesDriverAndViewer) {
     SocketClient driver = connected(), watcher = connected();
-    driver.say(R"({"type":"input","sequence":42,"device":"keys","steer":0,"throttle":1,"brake":0,"reverse":false})");
-    watcher.say(R"({"type":"reset"})");
-    EXPECT_THAT(watcher.text_with("refusal"), HasSubstr("Page 1 drives, this one watches."));
-    bool felt = false;
-    for (auto frame = watcher.frame(); frame && !felt; frame = watcher.frame()) {
-        felt = frame->opcode == 2 && frame->payload.at(0) == 1 && frame->payload.at(16) == 42;
+    driver.send_text(
+        R"({"type":"input","sequence":42,"device":"keys","steer":0,"throttle":1,"brake":0,"reverse":false})");
+    watcher.send_text(R"({"type":"reset"})");
+    EXPECT_THAT(watcher.text_with("refusal"), HasSubstr("Page 1 has control; this page is a viewer."));
+    bool arrived = false;
+    for (auto frame = watcher.frame(); frame && !arrived; frame = watcher.frame()) {
+        arrived = frame->opcode == 2 && frame->payload.at(0) == 1 && frame->payload.at(16) == 42;
     }
-    EXPECT_TRUE(felt);
+    EXPECT_TRUE(arrived);
     { const SocketClient gone = std::move(driver); }
     EXPECT_NE(watcher.text_with("\"status\"", R"("paused":"nobody")"), "");
-    watcher.say(R"({"type":"take"})");
+    watcher.send_text(R"({"type":"take"})");
     EXPECT_NE(watcher.text_with("\"status\"", R"("driver":2)"), "");
     EXPECT_NE(watcher.text_with("\"status\"", R"("paused":"")"), "");
 }
 
-TEST_F(Served, ButNotToWhoSendsTooMuchOrNonsense) {
-    SocketClient good = connected(), loud = connected(), confused = connected();
-    loud.say(std::string(5000, ' '));
-    EXPECT_EQ(loud.close_code(), 1009);
-    for (int i = 0; i < Lobby::patience; ++i) confused.send_frame(i % 2 ? 1 : 2, "{\"type\":");
-    EXPECT_NE(confused.text_with("refusal"), "");
-    EXPECT_EQ(confused.close_code(), 1008);
+TEST_F(LiveServer, DisconnectsAfterLargeOrInvalidMessages) {
+    SocketClient good = connected(), oversized = connected(), invalid = connected();
+    oversized.send_text(std::string(5000, ' '));
+    EXPECT_EQ(oversized.close_code(), 1009);
+    for (int i = 0; i < Connections::max_invalid_messages; ++i) invalid.send_frame(i % 2 ? 1 : 2, "{\"type\":");
+    EXPECT_NE(invalid.text_with("refusal"), "");
+    EXPECT_EQ(invalid.close_code(), 1008);
     EXPECT_NE(good.text_with("\"status\"", R"("pages":1)"), "");
 }
 
-TEST_F(Served, WithFramesForAllButTheOneWhoDoesNotRead) {
+TEST_F(LiveServer, SlowPageDoesNotAffectOthers) {
     SocketClient good = connected();
-    good.say(R"({"type":"load","vehicle":"car","road":"waves","friction":1})");  // tiles fill a queue sooner
+    good.send_text(R"({"type":"load","vehicle":"car","road":"waves","friction":1})");  // tiles fill a queue sooner
     ASSERT_NE(good.text_with("\"waves\""), "");
     SocketClient slow = connected(4096);
     std::uint32_t frames = 0;
     std::string status;
-    constexpr std::uint32_t many = 300;  // some seconds' worth, with the road more than the system's buffers hold
+    constexpr std::uint32_t many = 300;  // several seconds; together with the tiles more than the system's buffers hold
     for (auto frame = good.frame(); frame && frames < many; frame = good.frame()) {
         if (frame->opcode == 2 && frame->payload.at(0) == 1) ++frames;
         if (frame->opcode == 1) status = frame->payload;
@@ -136,19 +137,19 @@ TEST_F(Served, WithFramesForAllButTheOneWhoDoesNotRead) {
     EXPECT_THAT(late, HasSubstr("lost_frames"));
 }
 
-TEST_F(Served, ToSixteenPagesAndNoMore) {
+TEST_F(LiveServer, AcceptsAtMostSixteenPages) {
     std::vector<SocketClient> pages;
     for (int i = 0; i < 16; ++i) pages.push_back(connected());
     EXPECT_THAT(answer(upgrade(server.token(), "http://" + host())), StartsWith("HTTP/1.1 503 "));
     pages.pop_back();
-    EXPECT_TRUE(comes_true([&] {
+    EXPECT_TRUE(becomes_true([&] {
         SocketClient client(server.port());
         client.send(upgrade(server.token(), "http://" + host()));
         return client.header().starts_with("HTTP/1.1 101 ");
     }));
 }
 
-TEST_F(Served, UntilItGoesAway) {
+TEST_F(LiveServer, ClosesConnectionsOnShutdown) {
     SocketClient client = connected();
     stop();
     EXPECT_EQ(client.close_code(), 1001);
@@ -156,8 +157,8 @@ TEST_F(Served, UntilItGoesAway) {
     EXPECT_THAT(lines[0], HasSubstr("steps"));
 }
 
-TEST(Server, NeedsAFreePort) {
-    Session session(garage(), {"car", "flat"}, scratch_folder());
+TEST(Server, FailsOnOccupiedPort) {
+    Session session(test_catalog(), {"car", "flat"}, scratch_folder());
     const Server server(session, {page});
     EXPECT_THROW(Server(session, {page, server.port()}), io::Error);
 }

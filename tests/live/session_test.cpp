@@ -1,4 +1,4 @@
-// Rides without a clock, sessions with one: what is driven, paused, reset, loaded and recorded.
+// Live simulations without a clock, and sessions with one: driving, pausing, resetting, loading and recording.
 #include "hamilcar/live/session.hpp"
 
 #include <gmock/gmock.h>
@@ -8,34 +8,34 @@
 #include <fstream>
 
 #include "hamilcar/io/result_file.hpp"
-#include "live/garage.hpp"
+#include "live/test_catalog.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/fleet.hpp"
 
 namespace hamilcar::live {
 namespace {
 
-Ride ride_of(const std::string& road = "flat") {
-    const Wish wish{"car", road};
-    auto [vehicle, scenario] = garage().open(wish);
-    return Ride(1, wish, vehicle, scenario);
+LiveSimulation simulation_on(const std::string& road = "flat") {
+    const LoadRequest request{"car", road};
+    auto [vehicle, scenario] = test_catalog().open(request);
+    return LiveSimulation(1, request, vehicle, scenario);
 }
 
-// Off, to the left, and braking.
-Held lesson(long step) {
+// Pulls away, steers to the left, then brakes.
+ReceivedControls maneuver(long step) {
     const bool late = step > 1500;
     return {.page = 1,
             .sequence = static_cast<std::uint32_t>(step / 16),
             .controls = {.steer = step > 700 ? 1.0 : 0.0, .throttle = late ? 0.0 : 0.8, .brake = late ? 0.5 : 0.0}};
 }
 
-State<double> drive(Ride& ride, long steps, long show_every = 0) {
+State<double> drive(LiveSimulation& simulation, long steps, long show_every = 0) {
     for (long i = 0; i < steps; ++i) {
-        const auto end = ride.advance(lesson(i));
+        const auto end = simulation.advance(maneuver(i));
         EXPECT_FALSE(end) << end->message;
-        if (show_every > 0 && i % show_every == 0) ride.show(lesson(i));
+        if (show_every > 0 && i % show_every == 0) simulation.publish_frame(maneuver(i));
     }
-    return ride.state();
+    return simulation.state();
 }
 
 void expect_same_bits(const State<double>& a, const State<double>& b) {
@@ -44,151 +44,151 @@ void expect_same_bits(const State<double>& a, const State<double>& b) {
     }
 }
 
-TEST(Ride, GoesWhereItIsSteered) {
-    Ride ride = ride_of();
-    drive(ride, 2500);
-    EXPECT_GT(ride.state().position()[0], 3);
-    EXPECT_GT(ride.state().position()[1], 0.2);  // to the left
+TEST(LiveSimulation, FollowsSteering) {
+    LiveSimulation simulation = simulation_on();
+    drive(simulation, 2500);
+    EXPECT_GT(simulation.state().position()[0], 3);
+    EXPECT_GT(simulation.state().position()[1], 0.2);  // to the left
 }
 
-TEST(Ride, IsTheSameWithTheSameControlsHoweverOftenItIsShown) {
-    Ride plain = ride_of(), shown = ride_of();
+TEST(LiveSimulation, DoesNotDependOnFrameRate) {
+    LiveSimulation plain = simulation_on(), shown = simulation_on();
     expect_same_bits(drive(plain, 2500), drive(shown, 2500, 3));
 }
 
-TEST(Ride, StartsAnewToTheBit) {
-    Ride ride = ride_of("waves");
-    const State<double> start = ride.state(), first = drive(ride, 2500);
-    ride.reset();
-    EXPECT_EQ(ride.time(), 0);
-    expect_same_bits(ride.state(), start);
-    expect_same_bits(drive(ride, 2500), first);
+TEST(LiveSimulation, ResetIsBitIdentical) {
+    LiveSimulation simulation = simulation_on("waves");
+    const State<double> start = simulation.state(), first = drive(simulation, 2500);
+    simulation.reset();
+    EXPECT_EQ(simulation.time(), 0);
+    expect_same_bits(simulation.state(), start);
+    expect_same_bits(drive(simulation, 2500), first);
 }
 
-TEST(Ride, AllocatesNothingWhileItIsDriven) {
-    Ride ride = ride_of();
-    drive(ride, 20, 5);
+TEST(LiveSimulation, AdvancesWithoutAllocation) {
+    LiveSimulation simulation = simulation_on();
+    drive(simulation, 20, 5);
     const test::AllocationGuard guard;
     for (long i = 20; i < 1000; ++i) {
-        ride.advance(lesson(i));
-        if (i % 10 == 0) ride.show(lesson(i));
+        simulation.advance(maneuver(i));
+        if (i % 10 == 0) simulation.publish_frame(maneuver(i));
     }
     EXPECT_EQ(guard.allocations(), 0);
 }
 
-TEST(Ride, EveryShippedCarCanBeDrivenToTheLeft) {
+TEST(LiveSimulation, DrivesEveryShippedCar) {
     for (const std::string& name : test::fleet()) {
-        Ride ride(1, {name, "flat"}, test::shipped(name), test::scenario(1));
+        LiveSimulation simulation(1, {name, "flat"}, test::shipped(name), test::scenario(1));
         for (long i = 0; i < 3000; ++i) {
-            const auto end = ride.advance({.controls = {.steer = i > 1500 ? 1.0 : 0.0, .throttle = 0.7}});
+            const auto end = simulation.advance({.controls = {.steer = i > 1500 ? 1.0 : 0.0, .throttle = 0.7}});
             ASSERT_FALSE(end) << name << ": " << end->message;
         }
-        EXPECT_GT(ride.state().position()[0], 1) << name;
-        EXPECT_GT(ride.state().position()[1], 0.05) << name;
+        EXPECT_GT(simulation.state().position()[0], 1) << name;
+        EXPECT_GT(simulation.state().position()[1], 0.05) << name;
     }
 }
 
-class Drive : public testing::Test {
+class LiveSession : public testing::Test {
 protected:
-    const Progress& progress() { return session.attend(), session.progress(); }
-    bool waits_for(Pause pause) {
-        return comes_true([&] { return progress().paused == pause; });
+    const Progress& progress() { return session.update(), session.progress(); }
+    bool becomes_paused(Pause pause) {
+        return becomes_true([&] { return progress().paused == pause; });
     }
     bool drives_until(double time) {
-        return comes_true([&] { return progress().time >= time; });
+        return becomes_true([&] { return progress().time >= time; });
     }
 
     std::string folder = scratch_folder();
-    Session session{garage(), {"car", "flat"}, folder};
+    Session session{test_catalog(), {"car", "flat"}, folder};
     void TearDown() override { std::filesystem::remove_all(folder); }
 };
 
-TEST_F(Drive, StandsUntilSomebodyIsAtTheWheel) {
-    EXPECT_TRUE(waits_for(Pause::nobody));
+TEST_F(LiveSession, PausesWithoutDriver) {
+    EXPECT_TRUE(becomes_paused(Pause::no_driver));
     EXPECT_EQ(progress().time, 0);
     session.set_driven(true);
     EXPECT_TRUE(drives_until(0.3));
     session.pause(true);
-    EXPECT_TRUE(waits_for(Pause::driver));
+    EXPECT_TRUE(becomes_paused(Pause::driver));
     const double stopped = progress().time;
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     EXPECT_EQ(progress().time, stopped);
     session.pause(false);
     EXPECT_TRUE(drives_until(stopped + 0.1));
     session.set_driven(false);
-    EXPECT_TRUE(waits_for(Pause::nobody));
+    EXPECT_TRUE(becomes_paused(Pause::no_driver));
     EXPECT_GT(progress().report.steps, 300);
 }
 
-TEST_F(Drive, ShowsFramesWithTheInputThatWasFelt) {
+TEST_F(LiveSession, FramesCarryInputSequence) {
     session.set_driven(true);
-    session.hold({.page = 4, .sequence = 99, .controls = {.throttle = 1}});
-    EXPECT_TRUE(comes_true([&] {
+    session.set_controls({.page = 4, .sequence = 99, .controls = {.throttle = 1}});
+    EXPECT_TRUE(becomes_true([&] {
         progress();
-        return session.ride().frames().fetch() && session.ride().frames().value().sequence == 99;
+        return session.simulation().frames().fetch() && session.simulation().frames().value().sequence == 99;
     }));
-    EXPECT_EQ(session.ride().frames().value().page, 4u);
-    EXPECT_EQ(session.ride().frames().value().values.size(), session.ride().channels().size());
+    EXPECT_EQ(session.simulation().frames().value().page, 4u);
+    EXPECT_EQ(session.simulation().frames().value().values.size(), session.simulation().channels().size());
 }
 
-TEST_F(Drive, StartsAnew) {
+TEST_F(LiveSession, ResetsTime) {
     session.set_driven(true);
     ASSERT_TRUE(drives_until(0.5));
     session.pause(true);
     session.reset();
-    EXPECT_TRUE(comes_true([&] { return progress().time == 0; }));
+    EXPECT_TRUE(becomes_true([&] { return progress().time == 0; }));
 }
 
-TEST_F(Drive, KeepsTheOldCarWhereTheNewOneFails) {
+TEST_F(LiveSession, KeepsCarWhenLoadingFails) {
     session.set_driven(true);
     session.load({"wreck", "flat"}, 3);
     std::vector<Notice> notices;
-    ASSERT_TRUE(comes_true([&] {
-        EXPECT_FALSE(session.attend());
+    ASSERT_TRUE(becomes_true([&] {
+        EXPECT_FALSE(session.update());
         notices = session.take_notices();
         return !notices.empty();
     }));
     EXPECT_EQ(notices[0].page, 3u);
     EXPECT_THAT(notices[0].message, testing::HasSubstr("no wheels"));
-    EXPECT_EQ(session.ride().number(), 1u);
+    EXPECT_EQ(session.simulation().number(), 1u);
     EXPECT_TRUE(drives_until(progress().time + 0.1));
 }
 
-TEST_F(Drive, PutsAnotherCarOnAnotherRoad) {
+TEST_F(LiveSession, LoadsAnotherCarAndRoad) {
     session.set_driven(true);
     session.load({"car", "waves", 0.5}, 1);
-    ASSERT_TRUE(comes_true([&] { return session.attend(); }));
-    EXPECT_EQ(session.ride().wish().road, "waves");
-    EXPECT_TRUE(session.ride().uneven());
-    EXPECT_EQ(session.ride().road().friction, 0.5);
-    EXPECT_TRUE(comes_true([&] { return progress().car == session.ride().number() && progress().time > 0.1; }));
+    ASSERT_TRUE(becomes_true([&] { return session.update(); }));
+    EXPECT_EQ(session.simulation().request().road, "waves");
+    EXPECT_TRUE(session.simulation().uneven());
+    EXPECT_EQ(session.simulation().road().friction, 0.5);
+    EXPECT_TRUE(becomes_true([&] { return progress().car == session.simulation().number() && progress().time > 0.1; }));
 }
 
-TEST_F(Drive, EndsWithAReasonAndBeginsAgain) {
+TEST_F(LiveSession, EndsWithReasonAndResets) {
     session.set_driven(true);
     session.load({"car", "drop"}, 1);
-    ASSERT_TRUE(waits_for(Pause::ended));
+    ASSERT_TRUE(becomes_paused(Pause::ended));
     EXPECT_NE(progress().ended, "");
     EXPECT_GT(progress().time, 0.2);
     session.pause(true);
     session.reset();
-    EXPECT_TRUE(waits_for(Pause::driver));
+    EXPECT_TRUE(becomes_paused(Pause::driver));
     EXPECT_EQ(progress().ended, "");
     EXPECT_EQ(progress().time, 0);
 }
 
-// And once more, beside the first file. The library that reads them wants to be alone, so the session goes first.
-TEST(Recordings, EndWhereTheCarStartsAnew) {
+// Two recordings in one folder. The netCDF library is not thread-safe, so the session is destroyed before the files are read.
+TEST(Recordings, EndOnReset) {
     const std::string folder = scratch_folder();
     std::vector<std::string> files;
     std::string scene;
     {
-        Session session(garage(), {"car", "waves"}, folder);
+        Session session(test_catalog(), {"car", "waves"}, folder);
         const auto recorded = [&](double seconds) {
-            return comes_true([&] { return session.attend(), session.recording().seconds > seconds; });
+            return becomes_true([&] { return session.update(), session.recording().seconds > seconds; });
         };
         const auto stopped = [&] {
-            return comes_true([&] { return session.attend(), session.recording().file.empty(); });
+            return becomes_true([&] { return session.update(), session.recording().file.empty(); });
         };
         session.set_driven(true);
         for (int i = 0; i < 2; ++i) {
@@ -199,7 +199,7 @@ TEST(Recordings, EndWhereTheCarStartsAnew) {
             i == 0 ? session.reset() : session.record(false, 1);
             EXPECT_TRUE(stopped());
         }
-        scene = session.ride().scene();
+        scene = session.simulation().scene();
     }
     EXPECT_NE(files[0], files[1]);
     for (const std::string& file : files) {
@@ -214,13 +214,13 @@ TEST(Recordings, EndWhereTheCarStartsAnew) {
     std::filesystem::remove_all(folder);
 }
 
-// Wishes that come faster than files open and cars are built: none is lost, none stays.
-TEST(Recordings, FollowWishesThatComeTooFast) {
+// Requests that come faster than files open and cars are built take effect in the end.
+TEST(Recordings, HandleRapidRequests) {
     const std::string folder = scratch_folder();
     {
-        Session session(garage(), {"car", "flat"}, folder);
+        Session session(test_catalog(), {"car", "flat"}, folder);
         const auto recorded = [&] {
-            return comes_true([&] { return session.attend(), session.recording().seconds > 0.1; });
+            return becomes_true([&] { return session.update(), session.recording().seconds > 0.1; });
         };
         session.set_driven(true);
         session.record(true, 1);
@@ -228,24 +228,24 @@ TEST(Recordings, FollowWishesThatComeTooFast) {
         session.record(true, 1);
         EXPECT_TRUE(recorded());
         session.record(false, 1);
-        EXPECT_TRUE(comes_true([&] { return session.attend(), session.recording().file.empty(); }));
+        EXPECT_TRUE(becomes_true([&] { return session.update(), session.recording().file.empty(); }));
         session.load({"car", "waves"}, 1);
         session.record(true, 1);
         EXPECT_TRUE(recorded());
-        EXPECT_EQ(session.ride().wish().road, "waves");
+        EXPECT_EQ(session.simulation().request().road, "waves");
         EXPECT_TRUE(session.take_notices().empty());
     }
     std::filesystem::remove_all(folder);
 }
 
-TEST(Recordings, ThatCannotBeOpenedAreRefused) {
+TEST(Recordings, ReportOpenFailure) {
     const std::string folder = scratch_folder();
     std::ofstream(folder) << "a file where the folder should be";
-    Session session(garage(), {"car", "flat"}, folder);
+    Session session(test_catalog(), {"car", "flat"}, folder);
     session.record(true, 5);
     std::vector<Notice> notices;
-    ASSERT_TRUE(comes_true([&] {
-        session.attend();
+    ASSERT_TRUE(becomes_true([&] {
+        session.update();
         notices = session.take_notices();
         return !notices.empty();
     }));
@@ -254,8 +254,8 @@ TEST(Recordings, ThatCannotBeOpenedAreRefused) {
     std::filesystem::remove(folder);
 }
 
-TEST(Sessions, DoNotBeginWithACarThatCannotBeRead) {
-    EXPECT_THROW(Session(garage(), {"wreck", "flat"}, scratch_folder()), io::Error);
+TEST(Sessions, FailToStartWithUnreadableCar) {
+    EXPECT_THROW(Session(test_catalog(), {"wreck", "flat"}, scratch_folder()), io::Error);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A page's end of the wire by hand, on plain sockets, so that the server is not tested by the library that it is made of.
+// A client on plain sockets, so that the server is not tested with the library that it is built on.
 #pragma once
 
 #include <arpa/inet.h>
@@ -17,7 +17,7 @@ namespace hamilcar::live {
 
 class SocketClient {
 public:
-    // `receive_buffer`: of the system, for one that is to be full soon; zero: the usual one [byte].
+    // `receive_buffer`: size of the system's buffer, small to fill it soon; zero: the default [byte].
     explicit SocketClient(std::uint16_t port, int receive_buffer = 0) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
         if (receive_buffer > 0) setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof receive_buffer);
         sockaddr_in address{};
@@ -36,7 +36,7 @@ public:
     void send(const std::string& bytes) const {
         for (std::size_t sent = 0; sent < bytes.size();) {
             const auto count = ::send(socket_, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
-            if (count <= 0) return;  // the server has gone; the test sees it when it reads
+            if (count <= 0) return;  // the server has closed; the test notices when it reads
             sent += static_cast<std::size_t>(count);
         }
     }
@@ -69,13 +69,13 @@ public:
         for (std::size_t i = 0; i < payload.size(); ++i) bytes += static_cast<char>(payload[i] ^ key[i % 4]);
         send(bytes);
     }
-    void say(const std::string& text) const { send_frame(1, text); }
+    void send_text(const std::string& text) const { send_frame(1, text); }
 
     struct Frame {
         int opcode;
         std::string payload;
     };
-    // The next one, or none where the connection has ended.
+    // The next one, or none if the connection is closed.
     std::optional<Frame> frame() {
         constexpr std::size_t two_bytes = 126;
         if (!have(2)) return std::nullopt;
@@ -93,7 +93,7 @@ public:
         return Frame{opcode, take(size)};
     }
 
-    // The next text that contains all of this, or "" where none comes within half a minute.
+    // The next text that contains both strings, or "" if none arrives within half a minute.
     std::string text_with(const std::string& what, const std::string& and_what = "") {
         for (auto next = frame(); next; next = frame()) {
             const bool found = next->opcode == 1 && next->payload.find(what) != std::string::npos;
@@ -118,9 +118,9 @@ private:
         return true;
     }
     bool receive() {
-        constexpr int patience_ms = 30000;
+        constexpr int timeout_ms = 30000;
         pollfd ready{socket_, POLLIN, 0};
-        if (poll(&ready, 1, patience_ms) <= 0) return false;
+        if (poll(&ready, 1, timeout_ms) <= 0) return false;
         char bytes[16384];
         const auto count = recv(socket_, bytes, sizeof bytes, 0);
         if (count <= 0) return false;

@@ -95,9 +95,9 @@ struct Offset {
 Offset offset(const VehicleDescription& truck) {
     const Point& center = truck.chassis.center_of_mass;
     double mass = truck.chassis.mass, back = 0, below = 0;
-    for (const SuspensionDescription& spoke : truck.suspensions) {
-        if (spoke.unit > 0) continue;
-        for (const auto& [part, body] : spoke.bodies) {
+    for (const SuspensionDescription& suspension : truck.suspensions) {
+        if (suspension.unit > 0) continue;
+        for (const auto& [part, body] : suspension.bodies) {
             mass += body.mass;
             back += body.mass * (center[0] - body.center_of_mass[0]);
             below += body.mass * (center[2] - body.center_of_mass[2]);
@@ -137,7 +137,7 @@ TEST(Trial, AVehicleAloneMovesAsAllForcesOnItSay) {
     Simulation simulation(car, scenario);
     test::run_to_end(simulation);
     const Sample s = simulation.sample();
-    const double c = std::cos(simulation.senses().yaw), d = std::sin(simulation.senses().yaw);
+    const double c = std::cos(simulation.observation().yaw), d = std::sin(simulation.observation().yaw);
     const Vec3<double> a = s.velocity.R_GC * Vec3<double>(s.momenta.external.head<3>()) / s.model.vehicle.total_mass;
     EXPECT_EQ(h.lateral_acceleration.back(), c * a[1] - d * a[0]);
     EXPECT_EQ(h.longitudinal_acceleration.back(), c * a[0] + d * a[1]);

@@ -1,4 +1,4 @@
-// Loops over arrays against the same number by number, to the bit, for lengths that no register divides.
+// Loops over arrays against scalar loops, to the bit, for lengths that are no multiple of a vector register.
 #include "hamilcar/math/arrays.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TYPED_TEST(Arrays, AddWeightedRowsInTheOrderGiven) {
             add_weighted(from.data(), rates.data(), weights.data(), count, to.data(), static_cast<int>(size));
             add_weighted(in_place.data(), rates.data(), weights.data(), count, in_place.data(), static_cast<int>(size));
             for (std::size_t i = 0; i < size; ++i) {
-                volatile T sum = weights[0] * rows[0][i];  // volatile: one rounding an operation
+                volatile T sum = weights[0] * rows[0][i];  // volatile: one rounding per operation
                 for (std::size_t j = 1; j < rows.size(); ++j) {
                     const volatile T term = weights[j] * rows[j][i];
                     sum = sum + term;
@@ -66,7 +66,7 @@ TYPED_TEST(Arrays, AddScaledRows) {
     }
 }
 
-TYPED_TEST(Arrays, KnowWhetherAllAreFinite) {
+TYPED_TEST(Arrays, DetectNonFiniteNumbers) {
     using T = TypeParam;
     using Limits = std::numeric_limits<T>;
     for (const std::size_t size : {1, 7, 64, 515}) {

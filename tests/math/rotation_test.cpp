@@ -1,4 +1,4 @@
-// Rotations against their definitions: products of elementary turns, rates by differences, lengths that stay.
+// Rotations against their definitions: products of elementary rotations, rates by differences, constant lengths.
 #include <gtest/gtest.h>
 
 #include "hamilcar/math/rotation.hpp"
@@ -11,7 +11,7 @@ constexpr double exact = 4e-15;  // a few roundings of numbers up to one
 const std::array<Vec3<double>, 4> angles{Vec3<double>(0, 0, 0), Vec3<double>(0.3, -0.7, 1.9),
                                          Vec3<double>(-2.8, 1.2, -0.4), Vec3<double>(0.01, -1.5, 3.1)};
 
-// About x, y or z, as drawn in any textbook.
+// About x, y or z, as in any textbook.
 Mat3<double> elementary(int axis, double angle) {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
     Mat3<double> R = Mat3<double>::Identity();
@@ -32,7 +32,7 @@ void expect_rotation(const Mat3<double>& R) {
     EXPECT_NEAR(R.determinant(), 1, exact);
 }
 
-TEST(Bryant, TurnsAboutXThenYThenZ) {
+TEST(Bryant, RotatesAboutXThenYThenZ) {
     for (const Vec3<double>& q : angles) {
         const Mat3<double> A = bryant_rotation(BryantAngles<double>(q));
         expect_rotation(A);
@@ -78,7 +78,7 @@ Vector<double, 4> half_angle(const Vec3<double>& axis, double angle) {
     return {std::cos(angle / 2), part[0], part[1], part[2]};
 }
 
-TEST(Quaternion, TurnsByTwiceItsAngleWhateverItsLength) {
+TEST(Quaternion, RotatesByTwiceItsAngleForAnyLength) {
     const Vec3<double> axis = Vec3<double>(-0.2, 0.5, 0.9).normalized();
     for (const double angle : {0.0, 0.5, -2.2, 3.0}) {
         for (const double length : {1.0, 1.003, 0.4, -7.0}) {
@@ -89,7 +89,7 @@ TEST(Quaternion, TurnsByTwiceItsAngleWhateverItsLength) {
     }
 }
 
-// R' = R [omega] with omega in body axes, and the length stays.
+// R' = R [omega] with omega in body axes, and the length is constant.
 TEST(Quaternion, RateFollowsTheBodysAngularVelocity) {
     const Vec3<double> omega(0.7, -1.3, 0.4);
     for (const Vec3<double>& q : angles) {

@@ -1,4 +1,4 @@
-// The small solves against Eigen's own, and against the definition of an inverse.
+// The small solvers against Eigen, and against the definition of an inverse.
 #include "hamilcar/math/small_solve.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ Matrix<double, N, N> random_matrix(std::mt19937& source) {
     return Matrix<double, N, N>::NullaryExpr([&] { return unit(source); });
 }
 
-// Random and as uneven as a car's 6x6 system: masses of a ton beside inertias of a few kg m^2.
+// Random and as badly scaled as a car's 6x6 system: masses of a ton and inertias of a few kg m^2.
 TEST(SolvePositiveDefinite, AgreesWithEigenAndReadsTheLowerTriangleOnly) {
     constexpr int N = 6;
     std::mt19937 source(N);
@@ -39,7 +39,7 @@ TEST(SolvePositiveDefinite, AgreesWithEigenAndReadsTheLowerTriangleOnly) {
     }
 }
 
-TEST(Inverse, UndoesItsMatrixAndKnowsItsDeterminant) {
+TEST(Inverse, InvertsItsMatrixAndGivesItsDeterminant) {
     std::mt19937 source(9);
     for (int trial = 0; trial < 20; ++trial) {
         const Mat3<double> A = random_matrix<3>(source);

@@ -1,4 +1,4 @@
-// Spatial vectors and inertia against plain mechanics of points: power, moments, carried vectors, clouds of point masses.
+// Spatial vectors and inertia against mechanics of point masses: power, moments, body-fixed vectors, clouds of points.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -55,7 +55,7 @@ TEST_F(Spatials, CrossProductsAreDual) {
 }
 
 // A screw and a wrench fixed in a body that starts with motion v.
-TEST_F(Spatials, CrossProductsAreRatesOfWhatIsCarriedAlong) {
+TEST_F(Spatials, CrossProductsAreRatesOfBodyFixedVectors) {
     for (int i = 0; i < 5; ++i) {
         const Spatial<double> v = six();
         const Vec3<double> p = vector(), e = vector(), f = vector(), w = v.tail<3>();
@@ -74,7 +74,7 @@ Mat3<double> dense(const Symmetric3<double>& S) {
     return M;
 }
 
-TEST_F(Spatials, SymmetricMatrixIsWhatItStandsFor) {
+TEST_F(Spatials, SymmetricMatrixAgreesWithEigen) {
     const Symmetric3<double> S{1.2, 2.3, 3.1, -0.4, 0.5, 0.6};
     const Mat3<double> R = axis_rotation<double>(vector().normalized(), 1.1);
     const Vec3<double> v = vector();
@@ -82,7 +82,7 @@ TEST_F(Spatials, SymmetricMatrixIsWhatItStandsFor) {
     EXPECT_LE((dense(S.rotated(R)) - R * dense(S) * R.transpose()).norm(), exact);
 }
 
-// Ten point masses rigidly together: their momentum and moment of momentum, summed up point by point.
+// Ten rigidly connected point masses: their linear and angular momentum, summed point by point.
 TEST_F(Spatials, InertiaIsThatOfACloudOfPointMasses) {
     std::vector<std::pair<double, Vec3<double>>> cloud;
     double mass = 0;

@@ -53,8 +53,8 @@ inline CarState state_of(const Simulation& simulation) {
     CarState car;
     for (std::size_t i = 0; i < 3; ++i) {
         car.position[i] = s.state.position()[static_cast<int>(i)];
-        car.velocity[i] = R.row(static_cast<int>(i)).dot(s.velocity.hub.head<3>());
-        car.angular_velocity[i] = R.row(static_cast<int>(i)).dot(s.velocity.hub.tail<3>());
+        car.velocity[i] = R.row(static_cast<int>(i)).dot(s.velocity.chassis.head<3>());
+        car.angular_velocity[i] = R.row(static_cast<int>(i)).dot(s.velocity.chassis.tail<3>());
         for (std::size_t j = 0; j < 3; ++j) car.rotation[3 * i + j] = R(static_cast<int>(i), static_cast<int>(j));
     }
     for (std::size_t i = 0; i < simulation.model().vehicle.suspensions.size(); ++i)

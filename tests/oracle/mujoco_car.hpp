@@ -41,12 +41,12 @@ struct MujocoOptions {
 
 class MujocoCar {
 public:
-    // Throws std::runtime_error with MuJoCo's own words where it rejects the car, std::invalid_argument where the
-    // car has what this engine cannot do.
+    // Throws std::runtime_error with MuJoCo's message if it rejects the car, std::invalid_argument if the car has
+    // something that this engine does not support.
     MujocoCar(const VehicleDescription& description, const Road& road, const MujocoOptions& options);
     ~MujocoCar();
 
-    // For `set_state`; zero until told. `advance` leaves its last inputs here.
+    // For `set_state`; zero until set. `advance` leaves its last inputs here.
     void set_inputs(const Inputs& inputs);
 
     // Closes the loops for the struts' slides, their rates and the current rack input, whatever their angles are. Throws

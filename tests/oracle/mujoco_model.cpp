@@ -1,6 +1,6 @@
-// The car in MuJoCo's language. A spindle hangs on a ball joint at the strut's top and slides along its own strut; the
+// The car in MuJoCo's XML format. A spindle is attached by a ball joint at the strut's top and slides along its own strut; the
 // control arm is two massless rods from the ball joint to its bushes, the tie rod a third one to a rack on a slide. The
-// rods are tendons, held at their lengths. Whatever pushes comes from outside, at three user states to a wheel.
+// rods are tendons, held at their lengths. All forces are applied from outside, with three user states per wheel.
 
 #include <fmt/format.h>
 

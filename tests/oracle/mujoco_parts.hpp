@@ -42,7 +42,7 @@ struct SuspensionIndices {
     std::size_t independent() const { return is_strut() ? 3 : 0; }
 };
 
-// The car in MuJoCo's own language.
+// The car in MuJoCo's XML format.
 std::string write_model(const VehicleDescription&, const MujocoOptions&);
 
 // Owns what mj_loadXML gives for the text; throws std::runtime_error with its complaint.

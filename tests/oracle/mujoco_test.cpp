@@ -159,7 +159,7 @@ TEST(Mujoco, AgreesOnASlopeFromRest) {
     EXPECT_LT(gap.path, 1e-6);
 }
 
-TEST(Mujoco, SaysWhereTheLinkageDoesNotReach) {
+TEST(Mujoco, ReportsPositionsThatTheLinkageCannotReach) {
     const Case run;
     MujocoCar car(run.car, run.road, {});
     CarState state = at_design(run.car, run.speed);

@@ -76,7 +76,7 @@ MobilizedBody add_rack(const Parts& parts, MobilizedBody base, const Vec3& stati
     return rack;
 }
 
-void add_wheel(Parts& parts, const SuspensionWheelDescription& description, std::size_t hub, std::size_t carrier,
+void add_wheel(Parts& parts, const SuspensionWheelDescription& description, std::size_t unit, std::size_t carrier,
                std::size_t drive_base, double mass) {
     const WheelDescription& wheel = description.wheel;
     const Rotation spin_frame(UnitVec3(to_vec3(wheel.spin_axis)), SimTK::ZAxis);
@@ -84,7 +84,7 @@ void add_wheel(Parts& parts, const SuspensionWheelDescription& description, std:
     const Transform place(spin_frame, parts.bodies[carrier].station(wheel.center));
     const MobilizedBody body = MobilizedBody::Pin(on, place, Body::Rigid(wheel_mass(wheel, mass)), Transform());
     parts.wheels.push_back(
-        {description, hub, carrier, parts.place(body, to_vec3(wheel.center)), drive_base, parts.z_count});
+        {description, unit, carrier, parts.place(body, to_vec3(wheel.center)), drive_base, parts.z_count});
     parts.z_count = parts.wheels.back().windup_z() + 1;
 }
 

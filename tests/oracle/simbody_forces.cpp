@@ -103,20 +103,20 @@ private:
         car.bodies[element.base].push(line.on_base, push);
     }
 
-    // Wheel center above its design height, in the axes of its hub.
+    // Wheel center above its design height, in the axes of its unit.
     double travel(const CarMotion& car, std::size_t i) const {
         const RoadWheel& wheel = parts_.wheels[i];
-        const MovingBody& hub = car.bodies[wheel.hub];
-        return ~hub.pose.z() * (car.wheels[i].center - hub.pose.p()) -
-               parts_.bodies[wheel.hub].station(wheel.description.wheel.center)[2];
+        const MovingBody& unit = car.bodies[wheel.unit];
+        return ~unit.pose.z() * (car.wheels[i].center - unit.pose.p()) -
+               parts_.bodies[wheel.unit].station(wheel.description.wheel.center)[2];
     }
 
-    // A force up along the hub's z on the wheel center, with its reaction on the hub.
+    // A force up along the unit's z on the wheel center, with its reaction on the unit.
     void lift(std::size_t i, double force, CarMotion& car) const {
-        MovingBody& hub = car.bodies[parts_.wheels[i].hub];
-        const Vec3 up = force * hub.pose.z();
+        MovingBody& unit = car.bodies[parts_.wheels[i].unit];
+        const Vec3 up = force * unit.pose.z();
         car.bodies[parts_.wheels[i].carrier].push(car.wheels[i].center, up);
-        hub.push(car.wheels[i].center, -up);
+        unit.push(car.wheels[i].center, -up);
     }
 
     void add_stops(std::size_t i, CarMotion& car) const {

@@ -1,7 +1,7 @@
 // What the pieces of the Simbody car share: its bodies, the frames its points are given in, and how to push on them.
 //
 // Every body frame has the vehicle's axes at design and sits at some point of the design position, so a point of the
-// description becomes a station by one subtraction. To the forces there are only wheels, each with its carrier and its hub,
+// description becomes a station by one subtraction. To the forces there are only wheels, each with its carrier and its unit,
 // and lines between bodies.
 #pragma once
 
@@ -54,9 +54,9 @@ struct Coordinate {
 
 struct RoadWheel {
     SuspensionWheelDescription description;
-    std::size_t hub, carrier, wheel;  // among Parts::bodies; the wheel turns about its own z, the spin axis
-    std::size_t drive_base;           // the body that the drive torque reacts on
-    int first_z;                      // of its z-variables: u, v of each tire, then the brake wind-up
+    std::size_t unit, carrier, wheel;  // among Parts::bodies; the wheel turns about its own z, the spin axis
+    std::size_t drive_base;            // the body that the drive torque reacts on
+    int first_z;                       // of its z-variables: u, v of each tire, then the brake wind-up
 
     int tires() const { return description.dual_spacing > 0 ? 2 : 1; }
     int windup_z() const { return first_z + 2 * tires(); }
@@ -109,7 +109,7 @@ void add_bodies(Parts&, SimTK::MobilizedBody& ground);
 void add_suspensions(Parts&);
 
 // A wheel of that mass, and its z-variables, on a carrier that is there.
-void add_wheel(Parts&, const SuspensionWheelDescription&, std::size_t hub, std::size_t carrier, std::size_t drive_base,
+void add_wheel(Parts&, const SuspensionWheelDescription&, std::size_t unit, std::size_t carrier, std::size_t drive_base,
                double mass);
 
 // One coordinate as a mobilizer of its own: the child's frame sits at `station` of the parent at design and slides

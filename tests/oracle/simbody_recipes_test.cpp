@@ -84,7 +84,7 @@ void add_bodies(SuspensionDescription& suspension) {
 void add_wheels(const LinkageSample& sample, const Place& place, SuspensionDescription& suspension) {
     const SuspensionWheelDescription paper_wheel = test::paper_car().suspensions[0].wheels[0];
     const bool solid = sample.wheels.size() == 2 && sample.keyword != "twist_beam";
-    for (const CarriedPoint& at : sample.wheels) {
+    for (const PartPoint& at : sample.wheels) {
         SuspensionWheelDescription& wheel = suspension.wheels.emplace_back();
         const Point center = place.point(at.point);
         const double inward = center[1] > 0 ? -1 : 1;

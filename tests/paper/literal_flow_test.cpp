@@ -1,4 +1,4 @@
-// The literal equations of motion in time: Newton-Euler residual, conservation laws, the energy identity with drift.
+// The literal equations of motion in time: Newton-Euler residual, conservation laws, the energy identity with prescribed motion.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -132,7 +132,7 @@ TEST_F(Flow, ConservesMomentaWithoutGravity) {
 }
 
 // d/dt (T + U - x.h) = -x.Q - x'.h with x = BX, for conservative forces; docs/theory/formulation.md derives it.
-TEST_F(Flow, EnergyIdentityWithDrift) {
+TEST_F(Flow, EnergyIdentityWithPrescribedMotion) {
     const State s = start(stabilized, violated_position(stabilized));
     const auto at = [&](double t) { return step(stabilized, s, t); };
     const auto x = [&](double t) { return stabilized.BX(at(t).q); };
@@ -140,7 +140,7 @@ TEST_F(Flow, EnergyIdentityWithDrift) {
     const Vector x_dot = derivative(x, 2e-4);
     const double expected = -x(0).dot(stabilized.gravity(s.q)) - x_dot.dot(momentum(stabilized, s));
     const double rate_of_energy = scalar_derivative([&](double t) { return energy(stabilized, at(t)); }, 2e-4);
-    EXPECT_GT(std::abs(rate_of_energy), 100);  // the drift does work
+    EXPECT_GT(std::abs(rate_of_energy), 100);  // the prescribed motion does work
     EXPECT_NEAR(scalar_derivative(balance, 2e-4), expected, 1e-8 * std::abs(rate_of_energy));
 }
 

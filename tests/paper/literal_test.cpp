@@ -124,8 +124,8 @@ TEST_F(Literal, EliminationIsDerivativeOfTheAssembledW) {
         const Vector column = derivative([&](double x) { return W_of(i, x); }, 1e-3);
         EXPECT_LT((column - car.H(closed).col(k)).cwiseAbs().maxCoeff(), 1e-9);  // (39)
     }
-    const Vector drift = derivative([&](double x) { return W_of(17, x); }, 1e-3) * closed.q17_dot;
-    EXPECT_LT((drift - car.X(closed)).cwiseAbs().maxCoeff(), 1e-9);  // (39)
+    const Vector X = derivative([&](double x) { return W_of(17, x); }, 1e-3) * closed.q17_dot;
+    EXPECT_LT((X - car.X(closed)).cwiseAbs().maxCoeff(), 1e-9);  // (39)
 }
 
 TEST_F(Literal, RatesOfTheMatricesAlongTheFlow) {

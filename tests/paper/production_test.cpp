@@ -3,7 +3,7 @@
 // strut's dependent coordinates are other angles than the paper's: strut_turns.hpp converts.
 #include <gtest/gtest.h>
 
-#include "hamilcar/block/ring.hpp"
+#include "hamilcar/block/rhs.hpp"
 #include "paper/literal_fixture.hpp"
 #include "paper/strut_turns.hpp"
 
@@ -165,8 +165,8 @@ TEST_P(Production, PositionsAreThoseOf4And7) {
 
 TEST_P(Production, VelocitiesAreThoseOf58) {
     const paper::Vector qdot = literal_.qdot(q_, adot_);
-    const Vec3<double> r_rate = velocity_.R_GC * velocity_.hub.head<3>();
-    const Vec3<double> omega = velocity_.R_GC * velocity_.hub.tail<3>();
+    const Vec3<double> r_rate = velocity_.R_GC * velocity_.chassis.head<3>();
+    const Vec3<double> omega = velocity_.R_GC * velocity_.chassis.tail<3>();
     const Vec3<double> angles(q_(14), q_(15), q_(16));
     const Vec3<double> expected = bryant_rate_matrix(BryantAngles<double>(angles)) * adot_.segment<3>(3);
     for (int i = 0; i < 3; ++i) {
@@ -191,12 +191,13 @@ TEST_P(Production, LinkageIsThatOfA3AndOf39) {
         const Linkage<double>& linkage = suspension(i).linkage;
         const int rows = i == 0 ? 3 : 0, column = i == 0 ? 1 : 0;
         const paper::Matrix3 of_paper = paper::linkage_rates(strut_angles(i));
-        const Vec3<double> follow = of_paper * H.block<3, 1>(rows, column), creep = of_paper * X.segment<3>(rows);
+        const Vec3<double> H_of_paper = of_paper * H.block<3, 1>(rows, column),
+                           X_of_paper = of_paper * X.segment<3>(rows);
         for (int j = 0; j < 3; ++j) {
             // Our u points from A1 to A2 as the oracle's does, so even the signs of Phi agree.
             expect_near(at.Phi[j], Phi[rows + j], 1, "Phi (25)");
-            expect_near(at.follow[linkage.dependent[j]][0], follow[j], 1, "H (39)");
-            expect_near(at.creep[linkage.dependent[j]], creep[j], 1, "X (39)");
+            expect_near(at.Y[linkage.dependent[j]][0], H_of_paper[j], 1, "H (39)");
+            expect_near(at.X[linkage.dependent[j]], X_of_paper[j], 1, "X (39)");
         }
     }
 }
@@ -204,7 +205,7 @@ TEST_P(Production, LinkageIsThatOfA3AndOf39) {
 // J and x of the carriers, and J' as the chassis sees it, from velocities (v ; w) of the centers of mass in ground axes.
 TEST_P(Production, MotionsAreThoseOf43And71) {
     const paper::Matrix v_w = literal_.DI(q_) * literal_.BH(q_), v_w_rate = literal_.DI_BH_dot(q_, adot_);
-    const paper::Vector drift = literal_.DI(q_) * literal_.BX(q_);
+    const paper::Vector x_of_paper = literal_.DI(q_) * literal_.BX(q_);
     const auto poses = literal_.poses(q_);
     const auto twists = literal_.twists(q_, literal_.qdot(q_, adot_));
     const paper::Matrix3 to_chassis = poses[0].A.transpose();
@@ -216,7 +217,7 @@ TEST_P(Production, MotionsAreThoseOf43And71) {
             return spatial<double>(to_chassis * (v.head<3>() - v.tail<3>().cross(arm)), to_chassis * v.tail<3>());
         };
         const Spatial<double> given = v_w.block<6, 1>(row, column), rate = v_w_rate.block<6, 1>(row, column);
-        const Spatial<double> J = about_chassis(given), x = about_chassis(drift.segment<6>(row));
+        const Spatial<double> J = about_chassis(given), x = about_chassis(x_of_paper.segment<6>(row));
         const Vec3<double> w = given.tail<3>(), turning = to_chassis * twists[0].omega;
         Spatial<double> J_rate = about_chassis(rate);
         J_rate.head<3>() -= to_chassis * w.cross(arm_rate) + turning.cross(J.head<3>().eval());
@@ -241,10 +242,10 @@ TEST_P(Production, MomentumRatesAreThoseOf71) {
     Spatial<double> P_Z_rate = rate.momentum();
     if (model_.chart == ChassisChart::quaternion) {  // (p', L') to P_Z' by the Bryant chart's own formula
         Vector<double, 4> bryant(q_(14), q_(15), q_(16), 0);
-        const Vec3<double> omega = velocity_.R_GC * velocity_.hub.tail<3>();
+        const Vec3<double> omega = velocity_.R_GC * velocity_.chassis.tail<3>();
         P_Z_rate = BryantChart<double>::stored_momentum_rate(
-            bryant,
-            {velocity_.R_GC * velocity_.hub.head<3>(), omega, velocity_.hub.tail<3>(), state_.momentum(), P_Z_rate});
+            bryant, {velocity_.R_GC * velocity_.chassis.head<3>(), omega, velocity_.chassis.tail<3>(),
+                     state_.momentum(), P_Z_rate});
     }
     for (int i = 0; i < 6; ++i) expect_near(P_Z_rate[i], expected[i], scale, "P_Z'");
     for (std::size_t i = 0; i < 4; ++i) {

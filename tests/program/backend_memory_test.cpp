@@ -1,4 +1,4 @@
-// Memory that holds programs: never writable and executable at once, given back, and refused in words.
+// Memory that holds programs: never writable and executable at once, released, and reported when refused.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -29,7 +29,7 @@ Graph small_graph(unsigned seed) {
     return random_graph(seed, {.size = 60, .max_width = 1});
 }
 
-// In a child process. Exits with the number of backends that did otherwise than they should, 100 where nothing can be tested.
+// In a child process. Exits with the number of backends that failed, 100 if nothing can be tested.
 [[noreturn]] void compile_where_refused(bool warm) {
     const Graph graph = small_graph(1);
     if (warm) {  // memory from before may still be there

@@ -56,7 +56,7 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(Backend, BackendOn, ::testing::ValuesIn(machines()), ::testing::PrintToStringParamName());
 
-TEST_P(BackendOn, HasTheLanesItPromises) {
+TEST_P(BackendOn, HasTheStatedNumberOfLanes) {
     Graph graph(machine().precision);
     graph.output(output_array, 0, graph.input(0, 0));
     const auto executable = machine().compile(graph);
@@ -75,9 +75,9 @@ TEST_P(BackendOn, ComputesRandomGraphsBitForBit) {
 
 // The results of every operation on a and b, whichever of them are constants.
 void all_operations(Graph& graph, Id a, Id b) {
-    int place = static_cast<int>(graph.outputs().size());
+    int index = static_cast<int>(graph.outputs().size());
     const auto output = [&](Id id) {
-        for (int i = 0; i < graph.node(id).width; ++i) graph.output(output_array, place++, graph.add(Op::part, id, i));
+        for (int i = 0; i < graph.node(id).width; ++i) graph.output(output_array, index++, graph.add(Op::part, id, i));
     };
     const Id one = graph.constant(1, graph.node(a).width), two = graph.constant(2, graph.node(a).width);
     for (const Op op : {Op::add, Op::subtract, Op::multiply, Op::divide, Op::minimum, Op::maximum}) {
@@ -214,7 +214,7 @@ TEST_P(BackendOn, KeepsMoreConditionsAliveThanThereAreMasks) {
 }
 
 // A condition that holds in one lane alone enters a region for all lanes; in none, for none.
-TEST_P(BackendOn, EntersARegionWhereAnyLaneWantsIt) {
+TEST_P(BackendOn, EntersARegionIfItsConditionHoldsInAnyLane) {
     Graph graph(machine().precision);
     const Id x = graph.input(0, 0);
     graph.begin_region(graph.add(Op::less, graph.input(1, 0), graph.constant(0)));
@@ -276,7 +276,7 @@ TEST_P(BackendOn, RunsAndCompilesOnTwoThreadsAtOnce) {
     EXPECT_EQ(wrong[0] + wrong[1], 0);
 }
 
-// Of what the tests above rest on: an operation that random graphs hardly have would hardly be tested.
+// The tests above rely on this: an operation that random graphs rarely contain would hardly be tested.
 TEST(Backend, RandomGraphsHaveAllOperations) {
     std::map<Op, int> counts;
     for (unsigned seed = 0; seed < 200; ++seed) {

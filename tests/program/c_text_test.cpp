@@ -53,16 +53,16 @@ void expect_same_bits(void* library, const std::string& name, const Graph& graph
 // Every special number as a constant, on either side of what may be done with it.
 Graph graph_of_constants(Precision precision) {
     Graph graph(precision);
-    int place = 0;
+    int index = 0;
     for (const double special : special_numbers<double>()) {
-        const Id constant = graph.constant(special), x = graph.input(0, place % 5), y = graph.input(1, place % 3);
-        graph.output(output_array, place++, constant);
+        const Id constant = graph.constant(special), x = graph.input(0, index % 5), y = graph.input(1, index % 3);
+        graph.output(output_array, index++, constant);
         for (const Op op : {Op::add, Op::subtract, Op::multiply, Op::divide, Op::minimum, Op::maximum}) {
-            graph.output(output_array, place++, graph.add(op, x, constant));
-            graph.output(output_array, place++, graph.add(op, constant, x));
+            graph.output(output_array, index++, graph.add(op, x, constant));
+            graph.output(output_array, index++, graph.add(op, constant, x));
         }
         for (const Op op : {Op::less, Op::less_equal, Op::equal, Op::not_less, Op::not_less_equal, Op::not_equal}) {
-            graph.output(output_array, place++, graph.add(Op::select, graph.add(op, x, constant), constant, y));
+            graph.output(output_array, index++, graph.add(Op::select, graph.add(op, x, constant), constant, y));
         }
     }
     return graph;

@@ -176,7 +176,7 @@ TEST(Graph, KnowsConditions) {
     EXPECT_EQ(graph.node(open).op, Op::less) << "a truth is one throughout";
 }
 
-TEST(Graph, SharesWhatSaysTheSame) {
+TEST(Graph, SharesEqualNodes) {
     Graph graph;
     const Id x = graph.input(0, 0), y = graph.input(0, 1);
     EXPECT_EQ(graph.input(0, 0), x);
@@ -214,7 +214,7 @@ TEST(Graph, SharesNothingOutOfARegion) {
     EXPECT_FALSE(graph.node(outside).in_region);
 }
 
-// No two nodes that may be read at the same place say the same, however often the table grew.
+// No two nodes that may be read at the same point are equal, however often the table grew.
 TEST(Graph, SharesAllThatMayBeShared) {
     for (unsigned seed = 0; seed < 20; ++seed) {
         const Graph graph = random_graph(seed, {.size = 4000, .with_calls = false});

@@ -111,7 +111,7 @@ TEST(Pass, OfARegionTheNeededResultsStay) {
     ASSERT_EQ(first.regions().size(), 1U);
     EXPECT_EQ(first.regions()[0].results.size(), 1U);
     EXPECT_EQ(first.regions()[0].defaults.size(), 1U);
-    EXPECT_EQ(count(first, Op::absolute), 0U) << "a default that nobody needs";
+    EXPECT_EQ(count(first, Op::absolute), 0U) << "an unused default";
     EXPECT_TRUE(first.calls().empty());
     const Graph second = without_dead_code(graph_with_region(1, 2));
     EXPECT_EQ(count(second, Op::negate) + count(second, Op::multiply), 0U);

@@ -1,4 +1,4 @@
-// What a graph says, computed in the plainest way: straight from the comments of graph.hpp, one number at a time.
+// Evaluates a graph in the plainest way, by the comments of graph.hpp, one number at a time.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ public:
         }
         for (const Output& output : graph_.outputs()) {
             for (std::size_t lane = 0; lane < lanes_; ++lane) {
-                array(output.array)[at(output.place) * lanes_ + lane] = of(output.node)[lane][0].number;
+                array(output.array)[at(output.index) * lanes_ + lane] = of(output.node)[lane][0].number;
             }
         }
     }
@@ -63,7 +63,7 @@ private:
             of(id) = of((is_entered(region) ? region.results : region.defaults)[at(node.b)]);
             return;
         }
-        if (node.op == Op::result) return;  // since its call
+        if (node.op == Op::result) return;  // set by its call
         for (std::size_t lane = 0; lane < lanes_; ++lane) {
             for (int i = 0; i < node.width; ++i) of(id)[lane][at(i)] = value(node, lane, i);
         }

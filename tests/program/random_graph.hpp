@@ -1,4 +1,4 @@
-// Graphs of any shape, from a seed: all operations, wide ones, regions, calls, repeated expressions, and much that nobody needs.
+// Graphs of any shape, from a seed: all operations, wide ones, regions, calls, repeated expressions, and much dead code.
 #pragma once
 
 #include <algorithm>

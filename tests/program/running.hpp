@@ -1,4 +1,4 @@
-// Running random graphs: their inputs, the functions that they call, and what comes out, to be compared bit for bit.
+// Runs random graphs: their inputs, the functions that they call, and their outputs, compared bit for bit.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 
 namespace hamilcar::program::test {
 
-// Numbers for all lanes, aligned as a run wants them.
+// Numbers for all lanes, aligned as a run requires.
 template <class Number>
 class Array {
 public:
@@ -121,10 +121,10 @@ template <class Number>
 inline constexpr CallFunction test_functions[] = {test_function<Number, 0>, test_function<Number, 1>,
                                                   test_function<Number, 2>, test_function<Number, 3>};
 
-inline std::size_t places(const Graph& graph, int array) {
+inline std::size_t array_size(const Graph& graph, int array) {
     int count = 0;
     for (const Output& output : graph.outputs()) {
-        if (output.array == array) count = std::max(count, output.place + 1);
+        if (output.array == array) count = std::max(count, output.index + 1);
     }
     for (const Node& node : graph.nodes()) {
         if (node.op == Op::input && node.a == array) count = std::max(count, node.b + 1);
@@ -139,7 +139,7 @@ public:
     Arrays(const Graph& graph, int lanes, unsigned seed) {
         std::mt19937 random(seed);
         for (int i = 0; i < input_arrays + 1; ++i) {
-            arrays_.emplace_back(places(graph, i) * static_cast<std::size_t>(lanes));
+            arrays_.emplace_back(array_size(graph, i) * static_cast<std::size_t>(lanes));
             frame_.arrays[i] = arrays_.back().data();
             std::ranges::generate(arrays_.back().all(), [&] { return input(random); });
         }
@@ -171,10 +171,10 @@ template <class Number>
                                         std::span<const Number> expected) {
     for (const Output& output : graph.outputs()) {
         for (int lane = 0; lane < lanes; ++lane) {
-            const auto i = static_cast<std::size_t>(output.place * lanes + lane);
+            const auto i = static_cast<std::size_t>(output.index * lanes + lane);
             if (same_bits(found[i], expected[i])) continue;
             return ::testing::AssertionFailure()
-                   << "output " << output.place << " (node " << output.node << ", operation "
+                   << "output " << output.index << " (node " << output.node << ", operation "
                    << static_cast<int>(graph.node(output.node).op) << ") in lane " << lane << " is " << found[i]
                    << ", expected " << expected[i];
         }

@@ -1,4 +1,4 @@
-// What stands beyond the grid of an OpenCRG road, at its ends and in its gaps, worked out by hand.
+// Heights beyond the grid of an OpenCRG road, at its ends and in its gaps, computed by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -51,7 +51,7 @@ TEST(CrgBorder, BordersRepeatMoreThanOnce) {
     EXPECT_NEAR(road.height(1.0, -7.5), ramp(1, 1.5), 1e-12);
 }
 
-// Both borders at once: the one across has the last word where it is zero.
+// Both borders at once: the lateral one takes precedence where it is zero.
 TEST(CrgBorder, BordersTogether) {
     CrgDescription d = straight(ramp);
     d.border_u = CrgBorder::keep, d.border_v = CrgBorder::zero;

@@ -1,5 +1,5 @@
 // OpenCRG roads against closed forms: lines whose samples lie on a circle, heights that are known functions of u and v,
-// and small grids worked out by hand.
+// and small grids computed by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ using test::Arc, test::fill, test::ramp, test::straight;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-TEST(CrgRoad, NeverGivenAnythingIsFlat) {
+TEST(CrgRoad, DefaultConstructedIsFlat) {
     const CrgRoad road;
     EXPECT_EQ(road.height(1.0, 2.0), 0);
     EXPECT_FALSE(road.covers(0, 0));
@@ -50,8 +50,8 @@ TEST(CrgRoad, LineMayStartAnywhere) {
     EXPECT_NEAR(p.y, -20 + u * s + v * c, 1e-12);
 }
 
-// Every u, v of an arc from its place on the circle, and back, on the inside as on the outside.
-TEST(CrgRoad, ArcByItsCircle) {
+// u, v of points on an arc, and back, inside and outside.
+TEST(CrgRoad, ArcAgainstItsCircle) {
     for (const double radius : {12.0, -12.0, 300.0}) {
         const Arc arc{radius, 0.25, 120};
         const auto z = [](double u, double v) { return 0.02 * u - 0.03 * v + 0.001 * u * v; };
@@ -74,8 +74,7 @@ TEST(CrgRoad, ArcByItsCircle) {
     }
 }
 
-// A circle about the bend's center cuts all cross sections: along it the height must be continuous, wherever the road
-// is.
+// A circle about the bend's center crosses all cross sections: the height must be continuous along it, on and off the road.
 TEST(CrgRoad, ContinuousAcrossSegments) {
     const Arc arc{12, 0.5, 60};
     const CrgRoad road(
@@ -151,7 +150,7 @@ TEST(CrgRoad, DerivativesAreThoseOfTheSurface) {
     }
 }
 
-// A hairpin whose legs are closer than a cell: every point belongs to the leg that it lies on.
+// A hairpin whose legs are closer than a cell: every point is assigned to its own leg.
 TEST(CrgRoad, LegsNextToEachOther) {
     CrgDescription d;
     d.u_increment = 0.1;
@@ -170,8 +169,8 @@ TEST(CrgRoad, LegsNextToEachOther) {
         }
 }
 
-TEST(CrgRoad, SameFromCellsAndFromTheTree) {
-    // Cells reach 8 m beyond the grid's 2 m.
+TEST(CrgRoad, CellsAndTreeAgree) {
+    // Cells extend 8 m beyond the grid's 2 m.
     const Arc arc{900, 0.5, 4000};
     const CrgRoad road(arc.description({-2, 2}, [](double u, double) { return 0.001 * u; }));
     for (const double v : {-2000.0, -200.0, -30.0, -11.0, -9.0, 0.0, 9.0, 11.0, 200.0, 700.0}) {
@@ -182,8 +181,8 @@ TEST(CrgRoad, SameFromCellsAndFromTheTree) {
     }
 }
 
-TEST(CrgRoad, AnythingThatIsANumberHasAHeight) {
-    const Arc arc{2, 0.5, 200};  // four times around on itself, its own center among the questions
+TEST(CrgRoad, EveryFinitePointHasAHeight) {
+    const Arc arc{2, 0.5, 200};  // four turns on itself; its center is among the queries
     CrgDescription d = arc.description({-3, 3}, [](double u, double v) { return 0.01 * u * v; });
     for (const CrgBorder border : {CrgBorder::none, CrgBorder::keep, CrgBorder::repeat, CrgBorder::reflect}) {
         d.border_u = d.border_v = border;
@@ -192,7 +191,7 @@ TEST(CrgRoad, AnythingThatIsANumberHasAHeight) {
         std::uniform_real_distribution<double> near(-8, 8);
         for (int i = 0; i < 20000; ++i) EXPECT_TRUE(std::isfinite(road.height(near(source), near(source))));
         EXPECT_TRUE(std::isfinite(road.height(0.0, 2.0)));
-        road.height(nan, 0.0);  // to come back is all that is asked
+        road.height(nan, 0.0);  // it need only return
         road.height(1e300, -1e300);
         road.height(std::numeric_limits<double>::infinity(), 0.0);
     }
@@ -208,7 +207,7 @@ TEST(CrgRoad, AllocatesNothing) {
     EXPECT_TRUE(std::isfinite(sum));
 }
 
-TEST(CrgRoad, RefusesWhatDoesNotFit) {
+TEST(CrgRoad, RejectsInconsistentDescriptions) {
     const CrgDescription good = straight(ramp);
     const auto refused = [&](const std::function<void(CrgDescription&)>& change) {
         CrgDescription d = good;

@@ -1,5 +1,5 @@
-// The plane under a wheel: on a plane road it is the road whatever way it is asked; on a surface it is the plane of least
-// squares; its rate is that of differences; and a lane asks as a lone car does.
+// The plane under a wheel: on a plane road it is the road; on a surface it is the least-squares plane; its rate agrees with finite
+// differences; and each lane gives the same result as a single car.
 #include "hamilcar/road/traced_ground.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ constexpr double radius = 0.3;
 
 const Vec3<double> turning(0.02, -0.3, 0.4);
 
-WheelAbove<double> rolling(double x, double y, double heading, double speed) {
+WheelOverGround<double> rolling(double x, double y, double heading, double speed) {
     const Vec3<double> axis(-std::sin(heading) * 0.999, std::cos(heading) * 0.999, std::sqrt(1 - 0.999 * 0.999));
     return {.center = {x, y, radius - 0.015},
             .velocity = {speed * std::cos(heading), speed * std::sin(heading), 0.1},
@@ -26,12 +26,12 @@ WheelAbove<double> rolling(double x, double y, double heading, double speed) {
             .radius = radius};
 }
 
-// From a unit that stands at the ground's origin.
-WheelRoad<double> fitted(const Surface& surface, const Vec3<double>& normal, double friction,
-                         const WheelAbove<double>& wheel, double time) {
+// For a unit at the ground's origin.
+WheelGround<double> fitted(const Surface& surface, const Vec3<double>& normal, double friction,
+                           const WheelOverGround<double>& wheel, double time) {
     const UnevenGround<double> ground{&surface, normal, friction, Vec3<double>::Zero(), Mat3<double>::Identity(), time};
     const auto motion = spatial<double>(wheel.velocity - turning.cross(wheel.center), turning);
-    WheelRoad<double> road{{normal, 0, friction}, 0};
+    WheelGround<double> road{{normal, 0, friction}, 0};
     fit_ground<double>(ground, wheel.center, wheel.axis, motion, wheel.radius, 0, {0, 0}, road);
     return road;
 }
@@ -40,7 +40,7 @@ Vec3<double> plane_normal(double grade, double bank) {
     return PlaneRoad<double>(grade, bank, 1).normal;
 }
 
-TEST(Ground, OfAPlaneIsThePlane) {
+TEST(Ground, OnAPlaneRoadIsThePlane) {
     const Surface nothing{RoadDescription{}};
     const Vec3<double> n = plane_normal(0.2, -0.1);
     for (const double heading : {0.0, 0.7, 2.9}) {
@@ -52,7 +52,7 @@ TEST(Ground, OfAPlaneIsThePlane) {
     }
 }
 
-// A grid that is a slope of its own: the plane of a plane, elsewhere.
+// A grid that is itself a sloped plane.
 TEST(Ground, FollowsASlopeOfTheSurface) {
     auto grid = std::make_shared<HeightGridDescription>();
     grid->x = -50, grid->y = -50, grid->spacing_x = grid->spacing_y = 1, grid->rows = grid->columns = 101;
@@ -81,7 +81,7 @@ RoadDescription rough() {
 }
 
 // Least squares by normal equations, with the weights stated in the docs.
-TEST(Ground, IsThePlaneOfLeastSquares) {
+TEST(Ground, IsTheLeastSquaresPlane) {
     const Surface surface(rough());
     std::mt19937 random(5);
     std::uniform_real_distribution<double> place(-2, 4), turn(-3, 3);
@@ -111,13 +111,13 @@ TEST(Ground, IsThePlaneOfLeastSquares) {
     }
 }
 
-// The depth of the disc's lowest point changes at the rate that is stated: what the damper and the energy balance stand on.
-TEST(Ground, RisesAsDifferencesSay) {
+// The stated rate of the depth of the disc's lowest point, on which the damper and the energy balance rely.
+TEST(Ground, RiseAgreesWithDifferences) {
     RoadDescription road = rough();
     road.posts.height.push_back({.time = {0, 1, 2}, .value = {0, 0.1, 0}});
     const Surface surface(road);
     const auto depth = [&](double t) {
-        WheelAbove<double> wheel = rolling(0.8, 0.2, 0.3, 15);
+        WheelOverGround<double> wheel = rolling(0.8, 0.2, 0.3, 15);
         wheel.center += t * wheel.velocity, wheel.axis += t * wheel.axis_rate;
         wheel.axis.normalize();
         const auto found = fitted(surface, plane_normal(0.02, 0.01), 1, wheel, 0.4 + t);
@@ -125,14 +125,14 @@ TEST(Ground, RisesAsDifferencesSay) {
         const Vec3<double> lowest = wheel.center - radius * (found.plane.normal - s * wheel.axis) / c;
         return found.plane.offset - found.plane.normal.dot(lowest);
     };
-    const WheelAbove<double> wheel = rolling(0.8, 0.2, 0.3, 15);
+    const WheelOverGround<double> wheel = rolling(0.8, 0.2, 0.3, 15);
     const auto found = fitted(surface, plane_normal(0.02, 0.01), 1, wheel, 0.4);
     const double s = found.plane.normal.dot(wheel.axis), c = std::sqrt(1 - s * s);
     const Vec3<double> arm = -radius * (found.plane.normal - s * wheel.axis) / c;
     const double stated = found.rise - found.plane.normal.dot(Vec3<double>(wheel.velocity + turning.cross(arm)));
     constexpr double h = 1e-5;
     EXPECT_NEAR(stated, (depth(h) - depth(-h)) / (2 * h), 1e-6 * (1 + std::abs(stated)));
-    EXPECT_GT(std::abs(found.rise), 0.01) << "else this shows nothing";
+    EXPECT_GT(std::abs(found.rise), 0.01) << "otherwise the test is meaningless";
 }
 
 RoadDescription everything() {
@@ -147,47 +147,47 @@ RoadDescription everything() {
 }
 
 // Checkered heights make the grid's cubics overshoot.
-TEST(Surface, IsNowhereAboveItsHighest) {
+TEST(Surface, StaysBelowItsMaximumHeight) {
     const Surface surface(everything());
     std::mt19937 source(11);
     std::uniform_real_distribution<double> along(-10, 30), across(-4, 4);
     double most = 0;
     for (int i = 0; i < 200'000; ++i) most = std::max(most, surface.height(along(source), across(source)));
-    EXPECT_LE(most, surface.highest());
-    EXPECT_GT(most, 0.4 * surface.highest()) << "a bound that is worth something";
+    EXPECT_LE(most, surface.max_height());
+    EXPECT_GT(most, 0.4 * surface.max_height()) << "the bound is useful";
 }
 
-// What is farther above the plane than that is told of the plane, and what is nearer of the surface.
-TEST(Ground, OfWhatIsHighAboveIsThePlane) {
+// Wheels higher above the plane than that get the plane, lower ones the surface.
+TEST(Ground, HighAboveTheSurfaceIsThePlane) {
     const Surface surface(everything());
     const PlaneRoad<double> plane(0.03, 0.01, 0.9);
     const Vec3<double> position(2.7, 0.1, 0.5), center(0.2, 0.6, -0.2);
     const Mat3<double> R = axis_rotation<double>(Vec3<double>::UnitZ(), 0.4);
     const UnevenGround<double> ground{&surface, plane.normal, 0.9, position, R, 0};
-    const GroundBelow<double> below{plane.seen_from(position, R), &ground};
+    const UnitGround<double> below{plane.seen_from(position, R), &ground};
     const auto normal_for = [&](double clearance) {
         return below.under(center, Vec3<double>::UnitY(), Spatial<double>::Zero(), radius, clearance, {0, 0})
             .plane.normal;
     };
-    EXPECT_EQ(normal_for(1.001 * surface.highest()), below.plane.normal);
-    EXPECT_GT((normal_for(0.999 * surface.highest()) - below.plane.normal).norm(), 1e-3);
+    EXPECT_EQ(normal_for(1.001 * surface.max_height()), below.plane.normal);
+    EXPECT_GT((normal_for(0.999 * surface.max_height()) - below.plane.normal).norm(), 1e-3);
 }
 
-// Three cars in the lanes of a program's call, one on a plane and one high above: each is told what it would be alone.
-TEST(Ground, LanesAreOnTheirOwn) {
+// Three cars in the lanes of a program's call, one on a plane and one high above: each gets the same result as alone.
+TEST(Ground, LanesAreIndependent) {
     const Surface surface(rough());
-    const PatchPlace<double> place{0.7, 0.1, 0.2, 0.6, 12, 0.3, 0.8, -0.6, 0.06, 0.08, radius, 0};
-    PatchPlace<double> high = place;
-    high.clearance = 1.001 * surface.highest();
-    std::array<double, 3 * PatchPlace<double>::count> arguments;
+    const PatchPose<double> place{0.7, 0.1, 0.2, 0.6, 12, 0.3, 0.8, -0.6, 0.06, 0.08, radius, 0};
+    PatchPose<double> high = place;
+    high.clearance = 1.001 * surface.max_height();
+    std::array<double, 3 * PatchPose<double>::count> arguments;
     std::array<double, 3 * PatchPlane<double>::count> found;
     for (std::size_t l = 0; l < 3; ++l) {
         std::size_t next = l;
-        PatchPlace<double>::for_each(l == 2 ? high : place, [&](double n) { arguments[next] = n, next += 3; });
+        PatchPose<double>::for_each(l == 2 ? high : place, [&](double n) { arguments[next] = n, next += 3; });
     }
     const std::array<const Surface*, 3> surfaces{&surface, nullptr, &surface};
-    const GroundBelowLanes below{surfaces.data(), 0};
-    look_ground_up<double>(&below, 0, 3, arguments.data(), found.data());
+    const LaneSurfaces below{surfaces.data(), 0};
+    look_up_ground<double>(&below, 0, 3, arguments.data(), found.data());
     const std::array<PatchPlane<double>, 3> expected{surface.under(place, 0, 0), {}, {}};
     EXPECT_EQ(expected[0].found, 1);
     EXPECT_NE(expected[0].height, 0);
@@ -200,8 +200,8 @@ TEST(Ground, LanesAreOnTheirOwn) {
     }
 }
 
-// What doubles get by short cuts is what numbers with derivatives get the long way: on the road, at its ends, beside it.
-TEST(Ground, ShortCutsGiveTheSame) {
+// The fast path for doubles agrees with the general path for dual numbers: on the road, at its ends, beside it.
+TEST(Ground, FastPathAgreesWithTheGeneralOne) {
     RoadDescription road;
     road.random.push_back({.road_class = 'D', .start = 10, .length = 100, .fade = 5});
     const Surface surface(road);
@@ -210,12 +210,12 @@ TEST(Ground, ShortCutsGiveTheSame) {
     using Number = Dual<double, 1>;
     for (int i = 0; i < 5000; ++i) {
         const double heading = turn(source), c = std::cos(heading), s = std::sin(heading);
-        const PatchPlace<double> place{-5, 2, 5 + along(source), -2 + across(source), 20, 3, c, s, -s, c, radius, 0};
-        PatchPlace<Number> same;
+        const PatchPose<double> place{-5, 2, 5 + along(source), -2 + across(source), 20, 3, c, s, -s, c, radius, 0};
+        PatchPose<Number> same;
         std::vector<double> numbers;
-        PatchPlace<double>::for_each(place, [&](double n) { numbers.push_back(n); });
+        PatchPose<double>::for_each(place, [&](double n) { numbers.push_back(n); });
         std::size_t next = 0;
-        PatchPlace<Number>::for_each(same, [&](Number& n) { n = Number(numbers[next++]); });
+        PatchPose<Number>::for_each(same, [&](Number& n) { n = Number(numbers[next++]); });
         std::vector<double> expected;
         PatchPlane<Number>::for_each(surface.under(same, 0, 0),
                                      [&](const Number& n) { expected.push_back(n.value()); });

@@ -1,5 +1,5 @@
 // Random roads: the class in every band and harmonic of both tracks, the coherence of an isotropic surface between
-// them, a table without a seam. And the spectrum they are measured with, on profiles made here.
+// them, a periodic table. Also the spectrum estimate, on synthetic profiles.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ double isotropic_coherence(double n, double b) {
     return sum * step;
 }
 
-TEST(RoadSpectrum, TransformsByFouriersSum) {
+TEST(RoadSpectrum, TransformAgreesWithTheDefinition) {
     std::mt19937 source(1);
     std::uniform_real_distribution<double> unit(-1, 1);
     std::vector<std::complex<double>> values(32);
@@ -79,7 +79,7 @@ TEST(RoadSpectrum, FindsASineOnAGrade) {
     }
 }
 
-TEST(RoadSpectrum, BandsAreTheOnesOfTheStandard) {
+TEST(RoadSpectrum, HasTheBandsOfTheStandard) {
     const Spectrum flat{0.001, std::vector<double>(5000, 7.0)};
     const std::vector<Band> bands = smoothed(flat);
     EXPECT_EQ(bands.size(), 2U + 8U + 40U) << "octaves, thirds, twelfths";
@@ -91,7 +91,7 @@ TEST(RoadSpectrum, BandsAreTheOnesOfTheStandard) {
     for (std::size_t i = 1; i < bands.size(); ++i) EXPECT_NEAR(bands[i].low, bands[i - 1].high, 1e-12);
 }
 
-TEST(RoadSpectrum, ClassesAreBoundByHalfAndDouble) {
+TEST(RoadSpectrum, ClassLimitsAreHalfAndDouble) {
     for (const char road_class : classes) {
         EXPECT_DOUBLE_EQ(class_roughness(road_class), mean_of(road_class));
         for (const double factor : {0.501, 1.999}) EXPECT_EQ(class_of(factor * mean_of(road_class)), road_class);
@@ -101,8 +101,8 @@ TEST(RoadSpectrum, ClassesAreBoundByHalfAndDouble) {
     EXPECT_THROW(class_roughness('I'), std::invalid_argument);
 }
 
-// A profile of sines with random phases made here, rougher in long waves than any class: the line finds it again.
-TEST(RoadSpectrum, FitsWhatAProfileWasMadeOf) {
+// A synthetic profile of sines with random phases, rougher in long waves than any class: the fit recovers it.
+TEST(RoadSpectrum, RecoversTheRoughnessOfASyntheticProfile) {
     const double roughness = 700e-6, waviness = 2.5, length = 1638.4, spacing = 0.1;
     std::mt19937 source(5);
     std::uniform_real_distribution<double> turn(0, 2 * pi);
@@ -116,12 +116,12 @@ TEST(RoadSpectrum, FitsWhatAProfileWasMadeOf) {
     std::ranges::transform(lines, profile.begin(), [](const auto& value) { return value.real(); });
     const Roughness found = fitted(smoothed(spectrum(profile, spacing, 2048)));
     EXPECT_NEAR(found.waviness, waviness, 0.05);
-    EXPECT_NEAR(found.at_reference, roughness, 0.1 * roughness) << "an open record: its ends count less";
+    EXPECT_NEAR(found.at_reference, roughness, 0.1 * roughness) << "an open record: its ends have less weight";
     EXPECT_EQ(classify(profile, spacing), 'D');
 }
 
-// The squared windows add up to a constant over the period, so this is no estimate that scatters: what is left is the
-// width of the window. Few samples fall on knots.
+// The squared windows add up to a constant over the period, so the estimate has no scatter: what remains is the width
+// of the window. Few samples fall on knots.
 TEST(RandomRoad, HasItsClassInEveryBandOfBothTracks) {
     const std::size_t samples = 15360, segment = 4096;
     double worst = 0;
@@ -143,7 +143,7 @@ TEST(RandomRoad, HasItsClassInEveryBandOfBothTracks) {
     EXPECT_LT(worst, 0.03) << "1.6 percent in the lowest band";
 }
 
-TEST(RandomRoad, HasItsClassInEveryHarmonicAndNothingBeside) {
+TEST(RandomRoad, HasItsClassInEveryHarmonicAndNothingElse) {
     const RandomRoad road({.road_class = 'D', .seed = 7, .spacing = 0.1});
     ASSERT_DOUBLE_EQ(road.period(), 1638.4);
     for (const double y : {0.75, -0.75}) {
@@ -193,7 +193,7 @@ TEST(RandomRoad, SlopesAreNormallyDistributed) {
     }
 }
 
-TEST(RandomRoad, IsSmoothAndComesAroundWithoutAStep) {
+TEST(RandomRoad, IsSmoothAndPeriodic) {
     const RandomRoad road({.road_class = 'E', .start = 20, .length = 0, .fade = 4, .spacing = 0.1});
     EXPECT_EQ(road.height(20.0, 0.3), 0);
     EXPECT_EQ(road.height(-1e9, 0.3), 0);
@@ -213,7 +213,7 @@ TEST(RandomRoad, IsSmoothAndComesAroundWithoutAStep) {
     EXPECT_EQ(part.height(120.0, 0.3), 0);
 }
 
-TEST(RandomRoad, IsStraightBetweenTheTracksAndLevelsOffBeside) {
+TEST(RandomRoad, IsLinearBetweenTheTracksAndLevelsOffOutside) {
     const RandomRoad road({.road_class = 'B', .track_width = 1.6});
     for (double x = 6; x < 30; x += 0.91) {
         const double middle = road.height(x, 0.0), rise = road.height(x, 0.8) - middle;
@@ -225,7 +225,7 @@ TEST(RandomRoad, IsStraightBetweenTheTracksAndLevelsOffBeside) {
 
 // The same description the same bits; a change of seed (in either half), case or stream another road: the correlation
 // of two that have nothing in common scatters about zero as that of as many numbers as there are waves of note.
-TEST(RandomRoad, IsSeeded) {
+TEST(RandomRoad, DependsOnSeedCaseAndStream) {
     const RandomRoadDescription d{.road_class = 'C', .seed = 11};
     std::array<RandomRoadDescription, 4> others{d, d, d, d};
     others[0].seed = 12, others[1].seed = 11 + (1ULL << 32), others[2].case_number = 1, others[3].stream = 1;
@@ -240,7 +240,7 @@ TEST(RandomRoad, IsSeeded) {
     }
 }
 
-TEST(RandomRoad, RefusesWhatCannotBeMade) {
+TEST(RandomRoad, RejectsInvalidDescriptions) {
     const std::vector<RandomRoadDescription> all{{.road_class = 'a'}, {.spacing = 0.2}, {.track_width = 0}};
     for (const auto& wrong : all) EXPECT_THROW(RandomRoad{wrong}, std::invalid_argument);
     EXPECT_EQ(RandomRoad().height(1.0, 0.0), 0);

@@ -1,5 +1,4 @@
-// The elements of an uneven road: heights where geometry gives them, and no step in height or slope anywhere, by
-// differences that know nothing of the formulas.
+// The elements of an uneven road: heights from geometry, and continuity of height and slope everywhere, by finite differences.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -72,7 +71,7 @@ TEST(Obstacle, APlateauIsLevelBetweenItsRamps) {
     expect_smooth(height_of(obstacle), {3, 3.1, 3.25, 3.4, 3.5}, {-1, -0.8, 0.2, 0.4}, 10);
 }
 
-TEST(Obstacle, APotholeReachesAcrossTheRoadByDefault) {
+TEST(Obstacle, APotholeSpansTheRoadByDefault) {
     const Obstacle obstacle({.start = -2, .length = 1, .height = -0.05, .ramp = 0.2});
     for (const double y : {-1e6, -1.0, 0.0, 1.0, 1e6}) EXPECT_DOUBLE_EQ(obstacle.height(-1.5, y), -0.05);
     expect_smooth(height_of(obstacle), {-2, -1.8, -1.2, -1}, {-0.5, 0.5}, 20);
@@ -159,7 +158,7 @@ HeightGridDescription grid_of(std::size_t rows, std::size_t columns, auto&& heig
     return d;
 }
 
-TEST(HeightGrid, MeetsItsNodesSmoothly) {
+TEST(HeightGrid, InterpolatesItsNodesSmoothly) {
     const auto rough = [](double x, double y) { return 0.1 * std::sin(37 * x * x + 11 * y * y * x); };
     const HeightGrid grid(grid_of(5, 7, rough));
     for (int i = 0; i < 5; ++i)
@@ -175,14 +174,14 @@ TEST(HeightGrid, MeetsItsNodesSmoothly) {
     expect_smooth(height_of(grid), {-1, -0.5, 0, 0.5, 1, 1.5, 2}, {2, 2.25, 2.5, 2.75, 3}, 30);
 }
 
-TEST(HeightGrid, ReproducesBilinearSurfacesButForTheOutermostCells) {
+TEST(HeightGrid, ReproducesBilinearSurfacesExceptInTheOutermostCells) {
     const auto plane = [](double x, double y) { return 0.3 - 0.2 * x + 0.1 * y + 0.05 * x * y; };
     const HeightGrid grid(grid_of(6, 7, plane));
     for (double x = -0.5; x < 1.5; x += 0.0371)
         for (double y = 2.25; y < 3.0; y += 0.0293) EXPECT_NEAR(grid.height(x, y), plane(x, y), 1e-15);
 }
 
-TEST(HeightGrid, MayBeAsSmallAsNothing) {
+TEST(HeightGrid, MayBeEmpty) {
     EXPECT_EQ(HeightGrid().height(1.0, 2.0), 0);
     for (const std::size_t rows : {1U, 2U, 3U})
         for (const std::size_t columns : {1U, 2U, 3U}) {
@@ -195,7 +194,7 @@ TEST(HeightGrid, MayBeAsSmallAsNothing) {
         }
 }
 
-TEST(FrictionPatch, WeighsOneWithinAndNothingOutside) {
+TEST(FrictionPatch, WeightIsOneInsideAndZeroOutside) {
     const FrictionPatch patch({.start = 10, .end = 20, .right = 0, .friction = 0.3, .ramp = 0.5});
     EXPECT_EQ(patch.friction, 0.3);
     for (const double y : {0.5, 1.0, 1e9}) EXPECT_EQ(patch.weight(15.0, y), 1);

@@ -1,4 +1,4 @@
-// Patches of the road for pictures: the plane exactly, the surface at its nodes, and nothing narrow lost between them.
+// Tiles of the road for display: the plane exactly, the surface at its nodes, and narrow obstacles between nodes.
 #include "hamilcar/road/tile.hpp"
 
 #include <gtest/gtest.h>

@@ -39,7 +39,7 @@ Stand stand(const VehicleDescription& vehicle, ScenarioDescription s) {
         if (!from) from = now;
         out.farthest = std::max(out.farthest, (now - *from).norm());
     }
-    out.last_speed = simulation.senses().speed;
+    out.last_speed = simulation.observation().speed;
     return out;
 }
 

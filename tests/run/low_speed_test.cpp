@@ -26,7 +26,7 @@ Vec3<double> place(const Simulation& simulation) {
 }
 
 double speed(const Simulation& simulation) {
-    return simulation.sample().velocity.hub.head<3>().norm();
+    return simulation.sample().velocity.chassis.head<3>().norm();
 }
 
 #ifdef __SANITIZE_ADDRESS__
@@ -60,7 +60,7 @@ TEST_P(LowSpeed, StopsWithoutJudderAndStays) {
     std::array<int, 6> turns{};
     while (!simulation.finished()) {
         if (const auto end = simulation.advance()) FAIL() << end->message;
-        const double v = simulation.sample().velocity.hub[0];
+        const double v = simulation.sample().velocity.chassis[0];
         if (stopped < 0 && v <= 0) stopped = simulation.time(), there = place(simulation);
         if (stopped < 0) continue;
         const auto second = std::min(static_cast<std::size_t>(simulation.time() - stopped), fastest.size() - 1);
@@ -109,8 +109,8 @@ TEST_P(LowSpeed, LocksAndReleasesItsWheels) {
     EXPECT_LT(std::abs(slowest_spin), 0.5) << "the front wheels were to lock";
     const Sample end = simulation.sample();
     const auto& forces = end.momenta.suspensions[0].wheels[0];
-    EXPECT_GT(end.velocity.hub[0], 3);
-    EXPECT_NEAR(forces.contact.omega * 0.288 / end.velocity.hub[0], 1, 0.02) << "and roll again";
+    EXPECT_GT(end.velocity.chassis[0], 3);
+    EXPECT_NEAR(forces.contact.omega * 0.288 / end.velocity.chassis[0], 1, 0.02) << "and roll again";
 }
 
 TEST_P(LowSpeed, SpinsUpOnIceAndComesBack) {
@@ -126,9 +126,9 @@ TEST_P(LowSpeed, SpinsUpOnIceAndComesBack) {
     const Sample end = simulation.sample();
     EXPECT_GT(fastest_wheel * 0.288, 10) << "the driven wheels spin";
     // Rear axle 45 percent of the weight and more as it squats, at the ice's friction.
-    EXPECT_LT(end.velocity.hub[0], 0.1 * 1.3 * 9.81 * 0.52 * 6);
-    EXPECT_GT(end.velocity.hub[0], 0.5);
-    EXPECT_LT(std::abs(end.velocity.hub[1]), 0.2) << "straight on";
+    EXPECT_LT(end.velocity.chassis[0], 0.1 * 1.3 * 9.81 * 0.52 * 6);
+    EXPECT_GT(end.velocity.chassis[0], 0.5);
+    EXPECT_LT(std::abs(end.velocity.chassis[1]), 0.2) << "straight on";
     for (const double number : simulation.state().values) ASSERT_TRUE(std::isfinite(number));
 }
 

@@ -159,7 +159,7 @@ TEST(Friction, ASplitRoadPullsTheBrakedCarToItsGrip) {
     EXPECT_NEAR(left.contact.friction, 1, 1e-12);
     EXPECT_NEAR(right.contact.friction, 0.2, 1e-12);
     EXPECT_LT(left.tire.Fx, 3 * right.tire.Fx);
-    EXPECT_GT(angular(sample.velocity.hub)[2], 0.05) << "to the left, where the grip is";
+    EXPECT_GT(angular(sample.velocity.chassis)[2], 0.05) << "to the left, where the grip is";
 }
 
 TEST(Friction, AnIcePatchIsFeltWhereItIs) {

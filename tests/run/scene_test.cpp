@@ -79,10 +79,10 @@ TEST_P(Pictures, KeepTheSizeOfEveryPart) {
 TEST_P(Pictures, HingeTheirPartsAtTheBushes) {
     drive(1.2);
     const Sample sample = simulation_.sample();
-    for (const SuspensionDescription& spoke : car_.suspensions) {
+    for (const SuspensionDescription& suspension : car_.suspensions) {
         const auto frame = [&](std::size_t part) {
-            if (part == 0) return spoke.unit;
-            std::string name = spoke.name + "." + spoke.linkage.joints[part - 1].part;
+            if (part == 0) return suspension.unit;
+            std::string name = suspension.name + "." + suspension.linkage.joints[part - 1].part;
             std::ranges::replace(name, ' ', '_');
             for (std::size_t i = 0; i < scene_.frames.size(); ++i) {
                 if (scene_.frames[i].name == name) return i;
@@ -90,13 +90,13 @@ TEST_P(Pictures, HingeTheirPartsAtTheBushes) {
             ADD_FAILURE() << name;
             return std::size_t{0};
         };
-        for (std::size_t i = 0; i < spoke.linkage.joints.size(); ++i) {
-            const TreeJointDescription& joint = spoke.linkage.joints[i];
+        for (std::size_t i = 0; i < suspension.linkage.joints.size(); ++i) {
+            const TreeJointDescription& joint = suspension.linkage.joints[i];
             if (joint.kind == TreeJoint::free || joint.kind == TreeJoint::prismatic) continue;
             for (const Point& bush : {joint.point, joint.other_bush.value_or(joint.point)}) {
                 EXPECT_NEAR((place(sample, {frame(i + 1), bush}) - place(sample, {frame(joint.parent), bush})).norm(),
                             0, 1e-9)
-                    << spoke.name << " " << joint.part;
+                    << suspension.name << " " << joint.part;
             }
         }
     }

@@ -41,8 +41,8 @@ TEST(Ends, PastTheReachOfALinkageTellWheelTravelAndJoint) {
     for (const char* name : {"formula", "bmw_e90_330i"}) {
         VehicleDescription car = io::read_vehicle(test::source_path("vehicles/" + std::string(name) + ".toml"));
         for (SuspensionDescription& corner : car.suspensions) corner.wheels[0].bump = corner.wheels[0].rebound = {};
-        for (SuspensionDescription& spoke : car.suspensions) {
-            for (SuspensionWheelDescription& wheel : spoke.wheels) wheel.bump = wheel.rebound = {};
+        for (SuspensionDescription& suspension : car.suspensions) {
+            for (SuspensionWheelDescription& wheel : suspension.wheels) wheel.bump = wheel.rebound = {};
         }
         ScenarioDescription s = test::scenario(3);
         s.initial.settle = false, s.initial.height = 4;
@@ -124,7 +124,7 @@ TEST(Simulation, StartsWithTheVelocitiesItWasGiven) {
         EXPECT_EQ(start.input.rack.rate, 0.01);
         Spatial<double> expected;
         expected << 12, 3, -0.5, 0.2, -0.1, 0.6;
-        EXPECT_LT((start.velocity.hub - expected).norm(), 1e-12);
+        EXPECT_LT((start.velocity.chassis - expected).norm(), 1e-12);
         for (int i = 0; i < 4; ++i)
             EXPECT_NEAR(start.velocity.suspensions[static_cast<std::size_t>(i)].own.V_rate[0], 0, 1e-12);
     }

@@ -1,4 +1,4 @@
-// Arc tangent, sine, exponential and logarithm against the C library's in longer numbers, on doubles, floats and lanes, with
+// Arc tangent, sine, exponential and logarithm against the C library in higher precision, on doubles, floats and lanes, with
 // derivatives against differences.
 #include "hamilcar/scalar/elementary.hpp"
 
@@ -41,7 +41,7 @@ const auto any_cosine = [](auto x) { return cosine(x); };
 const auto any_exponential = [](auto x) { return exponential(x); };
 const auto any_logarithm = [](auto x) { return logarithm(x); };
 
-TEST(Elementary, AreGoodToAFewUnitsInDouble) {
+TEST(Elementary, AreAccurateToAFewUlpInDouble) {
     const auto atan_ = [](auto x) { return std::atan(x); };
     EXPECT_LT(worst_error<double>({-0.5, 0.5}, 0, any_arctangent, atan_), 4);
     EXPECT_LT(worst_error<double>({-5, 5}, 0, any_arctangent, atan_), 4);
@@ -58,7 +58,7 @@ TEST(Elementary, AreGoodToAFewUnitsInDouble) {
     EXPECT_LT(worst_error<double>({0.01, 100}, 1, any_logarithm, [](auto x) { return std::log(x); }), 60);
 }
 
-TEST(Elementary, AreGoodToAFewUnitsInFloat) {
+TEST(Elementary, AreAccurateToAFewUlpInFloat) {
     EXPECT_LT(worst_error<float>({-5, 5}, 0, any_arctangent, [](auto x) { return std::atan(x); }), 3);
     EXPECT_LT(worst_error<float>({-8, 8}, 0.5, any_sine, [](auto x) { return std::sin(x); }), 3);
     EXPECT_LT(worst_error<float>({-8, 8}, 0.5, any_cosine, [](auto x) { return std::cos(x); }), 3);
@@ -66,7 +66,7 @@ TEST(Elementary, AreGoodToAFewUnitsInFloat) {
     EXPECT_LT(worst_error<float>({0.1, 10}, 1, any_logarithm, [](auto x) { return std::log(x); }), 60);
 }
 
-TEST(Elementary, AreWhatTheyAreAtTheEnds) {
+TEST(Elementary, HaveTheRightLimits) {
     EXPECT_EQ(arctangent(0.0), 0);
     EXPECT_DOUBLE_EQ(arctangent(1e300), std::acos(0.0));
     EXPECT_DOUBLE_EQ(arctangent(-1e300), -std::acos(0.0));
@@ -74,10 +74,10 @@ TEST(Elementary, AreWhatTheyAreAtTheEnds) {
     EXPECT_DOUBLE_EQ(cosine(0.0), 1);
     EXPECT_EQ(exponential(0.0), 1);
     EXPECT_EQ(logarithm(1.0), 0);
-    EXPECT_DOUBLE_EQ(exponential(-1000.0), exponential(-40.0)) << "held, not zero and not infinite";
+    EXPECT_DOUBLE_EQ(exponential(-1000.0), exponential(-40.0)) << "clamped, not zero and not infinite";
 }
 
-// Recorded and run with another argument in each lane.
+// Recorded, and run with a different argument in each lane.
 TEST(Elementary, RecordedProgramsComputeTheBitsOfDoubles) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> arguments(-4, 4);
@@ -99,7 +99,7 @@ TEST(Elementary, RecordedProgramsComputeTheBitsOfDoubles) {
     same([](auto x) { return sincos(x).sine; }), same([](auto x) { return sincos(x).cosine; });
 }
 
-TEST(Elementary, DerivativesAreThoseOfDifferences) {
+TEST(Elementary, DerivativesAgreeWithDifferences) {
     using D = Dual<double, 1>;
     for (const double x : {-3.0, -1.1, -0.2, 0.3, 0.7, 1.9, 2.6}) {
         const auto expect = [x](const auto& f, double at) {

@@ -1,4 +1,4 @@
-// Sine and cosine against the C library's in longer numbers, over every quadrant, near its borders and for small angles.
+// Sine and cosine against the C library in higher precision, over every quadrant, near its borders and for small angles.
 #include "hamilcar/scalar/sincos.hpp"
 
 #include <gtest/gtest.h>
@@ -32,12 +32,12 @@ double worst_error(Longer range) {
     return worst;
 }
 
-TEST(SineCosine, IsGoodToTheLastPlaceInDouble) {
+TEST(SineCosine, IsAccurateInDouble) {
     EXPECT_LT((worst_error<double, long double>(1.0L)), 1.5);
     EXPECT_LT((worst_error<double, long double>(100.0L)), 1.5);
     EXPECT_LT((worst_error<double, long double>(1e5L)), 2.5);
 }
-TEST(SineCosine, IsGoodToTheLastPlaceInFloat) {
+TEST(SineCosine, IsAccurateInFloat) {
     EXPECT_LT((worst_error<float, double>(1.0)), 1.5);
     EXPECT_LT((worst_error<float, double>(1e3)), 2.5);
 }
@@ -54,7 +54,7 @@ TEST(SineCosine, KeepsSmallAnglesAndSymmetry) {
     EXPECT_EQ(sincos(0.0).cosine, 1);
 }
 
-TEST(SineCosine, PassesNaNAndInfinityOn) {
+TEST(SineCosine, PropagatesNaNAndInfinity) {
     EXPECT_TRUE(std::isnan(sincos(std::nan("")).sine));
     EXPECT_TRUE(std::isnan(sincos(std::numeric_limits<double>::infinity()).cosine));
 }

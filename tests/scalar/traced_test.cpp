@@ -1,4 +1,4 @@
-// The recording number: what arithmetic, choices and the rare way of `unless` leave in the graph.
+// The recording number: the nodes that arithmetic, select and the rare branch of `unless` leave in the graph.
 #include "hamilcar/scalar/traced.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ protected:
     Tracing tracing_{graph_};
 };
 
-TEST_F(Recording, StartsFromZeroAndFoldsWhatIsKnown) {
+TEST_F(Recording, StartsFromZeroAndFoldsConstants) {
     EXPECT_EQ(Number().id(), Number(0).id());
     EXPECT_EQ((Number(2) * Number(3)).id(), Number(6).id());
     EXPECT_EQ((input(0) * Number(1) + Number(0)).id(), input(0).id());
@@ -41,7 +41,7 @@ TEST_F(Recording, StartsFromZeroAndFoldsWhatIsKnown) {
     EXPECT_EQ(op(sqrt(input(0))), Op::square_root);
 }
 
-TEST_F(Recording, DecidesOnlyWhatIsKnown) {
+TEST_F(Recording, DecidesOnlyConstantConditions) {
     EXPECT_FALSE(any(Number(1) < Number(0)));
     EXPECT_TRUE(any(Number(0) < Number(1)));
     EXPECT_TRUE(any(input(0) < Number(0))) << "it may be";
@@ -51,7 +51,7 @@ TEST_F(Recording, DecidesOnlyWhatIsKnown) {
     EXPECT_EQ(run(least, {-5, -4}), -5);
 }
 
-TEST_F(Recording, MakesARegionOfTheRareWay) {
+TEST_F(Recording, RecordsTheRareBranchAsARegion) {
     const Number x = input(0);
     const auto found = unless(
         x > Number(10), [&] { return std::array{x * x}; }, [&] { return std::array{x * x * Number(1)}; });
@@ -63,10 +63,10 @@ TEST_F(Recording, MakesARegionOfTheRareWay) {
     EXPECT_EQ(run(found[0], {11, 0}), 121);
     unless(
         Number(1) > Number(2), [&] { return std::array{x}; }, [&] { return std::array{sqrt(x)}; });
-    EXPECT_EQ(graph_.regions().size(), 2u) << "known to be never";
+    EXPECT_EQ(graph_.regions().size(), 2u) << "known to be false";
 }
 
-TEST_F(Recording, CarriesTwoNumbersSideBySide) {
+TEST_F(Recording, HoldsTwoNumbersSideBySide) {
     const Pair both(std::array{input(0), input(1)});
     const Pair result = both * Pair(3.0) + Pair(input(2));
     EXPECT_EQ(graph_.node(result.id()).width, 2);
@@ -77,7 +77,7 @@ TEST_F(Recording, CarriesTwoNumbersSideBySide) {
     EXPECT_EQ(lane(changed, 1).id(), input(0).id());
 }
 
-TEST_F(Recording, GoesThroughEigensMatrices) {
+TEST_F(Recording, WorksInEigenMatrices) {
     Matrix<Number, 2, 2> A;
     A << input(0), Number(0), Number(1), input(1);
     const Vector<Number, 2> b = A * Vector<Number, 2>(Number(1), input(2));

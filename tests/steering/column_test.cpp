@@ -21,7 +21,7 @@ TEST(Column, WithOneRatioIsStraight) {
     EXPECT_FALSE(Column(SteeringDescription{}).exists());
 }
 
-TEST(Column, GoesThroughItsTableOnBothSides) {
+TEST(Column, InterpolatesItsTableOnBothSides) {
     const Column column(varying());
     for (std::size_t i = 0; i < varying().angle.size(); ++i) {
         EXPECT_NEAR(column.rack(varying().angle[i]).displacement, varying().rack[i], 1e-15);
@@ -31,7 +31,7 @@ TEST(Column, GoesThroughItsTableOnBothSides) {
     EXPECT_NEAR(column.center_ratio(), 0.006, 1e-12);
 }
 
-TEST(Column, KnowsItsDerivativesAndItsInverse) {
+TEST(Column, HasCorrectDerivativesAndInverse) {
     const Column column(varying());
     constexpr double h = 1e-5;
     for (double angle = -7.03; angle < 7; angle += 0.317) {

@@ -12,12 +12,12 @@ inline VehicleDescription paper_car() {
     return io::read_vehicle(source_path("vehicles/bmw_323i_paper.toml"));
 }
 
-// The shipped car as it is, on Magic Formula tires.
+// The shipped car unchanged, on Magic Formula tires.
 inline VehicleDescription shipped_car() {
     return io::read_vehicle(source_path("vehicles/bmw_323i.toml"));
 }
 
-// The car without anything that takes energy, and smooth: no dampers, no drag, tires that are bilateral
+// The car without dissipation and smooth: no dampers, no drag, tires that are bilateral
 // vertical springs. Its stops stay; a test keeps the travel inside them.
 inline VehicleDescription conservative_car() {
     VehicleDescription car = paper_car();
@@ -31,7 +31,7 @@ inline VehicleDescription conservative_car() {
 }
 
 inline Model<double> make_model(const VehicleDescription& car) {
-    VehicleDescription alone = car;  // a torque at the wheels stands for power units
+    VehicleDescription alone = car;  // a torque at the wheels replaces the power units
     alone.power_units.clear(), alone.differentials.clear();
     return {.vehicle = Vehicle<double>(alone), .road = PlaneRoad<double>(0, 0, 1)};
 }

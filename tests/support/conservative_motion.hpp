@@ -1,7 +1,7 @@
-// How long a conservative mechanism of one freedom takes from one angle to another, without equations of motion: from
-// T + U = E with T = M(q) q'^2 / 2 follows  t = integral of sqrt(M / (2 (E - U))) dq.  M comes from differences of
-// where the parts are in closed form, the integral from Gauss's rule: nothing of it is shared with the program under
-// test.
+// The time that a conservative mechanism with one degree of freedom takes from one angle to another, without
+// equations of motion: from T + U = E with T = M(q) q'^2 / 2 follows t = integral of sqrt(M / (2 (E - U))) dq. M
+// comes from differences of the closed-form poses, the integral from Gauss's rule: no code is shared with the program
+// under test.
 #pragma once
 
 #include "support/difference.hpp"
@@ -37,7 +37,7 @@ public:
 
 private:
     double potential(double angle) const {
-        const Places at = m_.places(angle);
+        const Poses at = m_.poses(angle);
         double sum = 0;
         for (std::size_t i = 0; i < at.size(); ++i) sum -= mass(i) * m_.gravity.dot(at[i].point(center(i)));
         return sum;
@@ -45,11 +45,11 @@ private:
     // M(q): twice the kinetic energy at unit rate.
     double inertia(double angle) const {
         double sum = 0;
-        for (std::size_t i = 0; i < m_.spoke.bodies.size(); ++i) {
-            const BodyDescription& b = m_.spoke.bodies[i].body;
-            const Mat3<double> R = m_.places(angle).at(i).R;
-            const Vec v = derivative([&](double q) { return Vec(m_.places(q)[i].point(center(i))); }, angle);
-            const Mat3<double> R_rate = derivative([&](double q) { return Mat3<double>(m_.places(q)[i].R); }, angle);
+        for (std::size_t i = 0; i < m_.suspension.bodies.size(); ++i) {
+            const BodyDescription& b = m_.suspension.bodies[i].body;
+            const Mat3<double> R = m_.poses(angle).at(i).R;
+            const Vec v = derivative([&](double q) { return Vec(m_.poses(q)[i].point(center(i))); }, angle);
+            const Mat3<double> R_rate = derivative([&](double q) { return Mat3<double>(m_.poses(q)[i].R); }, angle);
             const Mat3<double> W = R.transpose() * R_rate;
             const Vec w(W(2, 1), W(0, 2), W(1, 0));  // in the body's axes at design
             Mat3<double> I;
@@ -59,9 +59,9 @@ private:
         }
         return sum;
     }
-    double mass(std::size_t i) const { return m_.spoke.bodies[i].body.mass; }
+    double mass(std::size_t i) const { return m_.suspension.bodies[i].body.mass; }
     Vec center(std::size_t i) const {
-        const Point& c = m_.spoke.bodies[i].body.center_of_mass;
+        const Point& c = m_.suspension.bodies[i].body.center_of_mass;
         return {c[0], c[1], c[2]};
     }
 

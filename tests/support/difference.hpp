@@ -1,4 +1,4 @@
-// Derivatives by differences, the route that knows nothing of the formulas under test: central, fourth order.
+// Derivatives by central differences of fourth order, independent of the formulas under test.
 #pragma once
 
 #include <type_traits>

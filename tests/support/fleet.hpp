@@ -1,4 +1,4 @@
-// Every shipped vehicle, and variants of it for tests of laws.
+// Every shipped vehicle, and variants for tests of conservation laws.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ inline VehicleDescription shipped(const std::string& name) {
     return io::read_vehicle(source_path("vehicles/" + name + ".toml"));
 }
 
-// Nothing that takes energy or has a kink: no dampers, no drag, no stops, tires that are bilateral vertical springs.
+// Without dissipation or kinks: no dampers, no drag, no stops, tires that are bilateral vertical springs.
 inline VehicleDescription made_conservative(VehicleDescription car) {
     const DamperDescription none{{-1, 1}, {0, 0}};
     const auto soften = [](TireDescription& tire) { tire = spring_of(tire); };
@@ -33,7 +33,7 @@ inline VehicleDescription made_conservative(VehicleDescription car) {
     return car;
 }
 
-// A lane change at 15 m/s under drive torque, with some braking at the end: every input moves.
+// A lane change at 15 m/s under drive torque, with some braking at the end: every input varies.
 inline ScenarioDescription everything_moves(const VehicleDescription& car, double duration = 3) {
     ScenarioDescription s = scenario(duration, 15);
     const double torque = 0.15 * Vehicle<double>(car).total_mass;

@@ -1,5 +1,5 @@
-// The paper's two suspensions by their hardpoints, read back from the linkage that a recipe made of them: what tests with
-// equations of their own start from.
+// The paper's two suspensions by their hardpoints, read back from the linkage that a recipe made of them: for tests with
+// equations of their own.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ struct MacPhersonPoints {
     Point ball_joint{};     // C, on the spindle
     Point rack_end{};       // R, tie rod inner end at rack displacement 0
     Point tie_rod_outer{};  // Q, on the spindle
-    Point rack_axis{};      // unit; a positive rack displacement moves R along it; zero where the rack does not reach
+    Point rack_axis{};      // unit; a positive rack displacement moves R along it; zero if it is not steered
     std::optional<double> arm_length, tie_rod_length;  // [m]; from the points if absent
 };
 
@@ -44,7 +44,7 @@ inline SemiTrailingArmPoints arm_points(const SuspensionDescription& d) {
     return {hinge.other_bush.value(), hinge.point, spring.on_part, spring.on_base, damper.on_part, damper.on_base};
 }
 
-// Of the paper's car; `keyword` says which.
+// The suspension of the paper's car with this keyword.
 inline PaperPoints paper_points(const SuspensionDescription& d) {
     if (d.keyword == "macpherson") return strut_points(d);
     return arm_points(d);

@@ -1,5 +1,5 @@
-// Mechanisms with published answers as spokes of a hub that stands still, and where their parts are in closed form:
-// the second route, which shares no line with the linkage.
+// Mechanisms with published solutions, as suspensions on a fixed base, and the poses of their parts in closed form: an
+// independent solution that shares no code with the linkage.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,12 +13,12 @@
 namespace hamilcar::test {
 
 using Vec = Vec3<double>;
-using Places = std::vector<Pose<double>>;  // of the bodies, from design to now
+using Poses = std::vector<Pose<double>>;  // of the bodies, relative to design
 
 struct Mechanism {
-    SuspensionDescription spoke;
-    Vec gravity{0, 0, 0};                  // [m/s^2]
-    std::function<Places(double)> places;  // at an angle of the crank from design, loops closed on the branch of design
+    SuspensionDescription suspension;
+    Vec gravity{0, 0, 0};                // [m/s^2]
+    std::function<Poses(double)> poses;  // at an angle of the crank from design, loops closed on the branch of design
 };
 
 inline Point point(const Vec& v) {
@@ -28,27 +28,28 @@ inline Point point(const Vec& v) {
 // Adds a part on a joint; returns its number.
 inline std::size_t add_part(Mechanism& to, TreeJoint kind, std::size_t parent, const Vec& at, const Vec& axis,
                             const Vec& second = Vec::Zero()) {
-    auto& joints = to.spoke.linkage.joints;
+    auto& joints = to.suspension.linkage.joints;
     joints.push_back({kind, std::to_string(joints.size() + 1), parent, point(at), point(axis), point(second)});
     return joints.size();
 }
 
-// A body with its inertia about its center of mass, given in axes that stand like the columns of `axes` at design.
+// A body with its inertia about its center of mass, given in axes that are the columns of `axes` at design.
 inline void add_body(Mechanism& to, std::size_t part, double mass, const Vec& center, const Vec& inertia,
                      const Mat3<double>& axes = Mat3<double>::Identity()) {
     const Mat3<double> I = axes * inertia.asDiagonal() * axes.transpose();
-    to.spoke.bodies.push_back({part, {mass, point(center), {I(0, 0), I(1, 1), I(2, 2)}, {I(0, 1), I(1, 2), I(0, 2)}}});
+    to.suspension.bodies.push_back(
+        {part, {mass, point(center), {I(0, 0), I(1, 1), I(2, 2)}, {I(0, 1), I(1, 2), I(0, 2)}}});
 }
 
 // A cut joint at a point that both parts share at design: a hinge about z in a planar mechanism, else a ball.
 inline void cut_hinge(Mechanism& to, std::size_t part, std::size_t base, const Vec& at) {
-    to.spoke.linkage.cuts.push_back({CutJoint::line, "cut", part, base, point(at), point(at), {0, 0, 1}, {}, {}});
+    to.suspension.linkage.cuts.push_back({CutJoint::line, "cut", part, base, point(at), point(at), {0, 0, 1}, {}, {}});
 }
 inline void cut_ball(Mechanism& to, std::size_t part, std::size_t base, const Vec& at) {
-    to.spoke.linkage.cuts.push_back({CutJoint::spherical, "cut", part, base, point(at), point(at), {}, {}, {}});
+    to.suspension.linkage.cuts.push_back({CutJoint::spherical, "cut", part, base, point(at), point(at), {}, {}, {}});
 }
 
-// Unit axes with the first along v; what the others are does not matter to a body of revolution.
+// Unit axes with the first along v; the others do not matter for a body of revolution.
 inline Mat3<double> axes_along(const Vec& v) {
     const Vec x = v.normalized(), y = x.unitOrthogonal();
     Mat3<double> axes;
@@ -70,7 +71,7 @@ inline double plane_angle(const Vec& v) {
 // Four hinges about z: crank O-A, coupler A-B, rocker D-B; B where two circles meet, on the side it has at design.
 struct FourBar {
     Vec O, A, B, D;
-    Places places(double angle) const {
+    Poses poses(double angle) const {
         const double coupler = (B - A).norm(), rocker = (B - D).norm();
         const Mat3<double> crank = turn(Vec::UnitZ(), angle);
         const Vec tip = O + crank * (A - O), to_D = D - tip;
@@ -86,24 +87,24 @@ struct FourBar {
     }
 };
 
-// In all of these the crank's angle is coordinate 0, and the bodies are added in the order of `places`.
+// In all of these the crank's angle is coordinate 0, and the bodies are added in the order of `poses`.
 inline Mechanism planar_four_bar(const FourBar& at) {
     Mechanism m;
     const std::size_t crank = add_part(m, TreeJoint::revolute, 0, at.O, Vec::UnitZ());
     const std::size_t coupler = add_part(m, TreeJoint::revolute, crank, at.A, Vec::UnitZ());
     const std::size_t rocker = add_part(m, TreeJoint::revolute, 0, at.D, Vec::UnitZ());
     cut_hinge(m, coupler, rocker, at.B);
-    m.spoke.linkage.independent = {0};
-    m.places = [at](double angle) { return at.places(angle); };
+    m.suspension.linkage.independent = {0};
+    m.poses = [at](double angle) { return at.poses(angle); };
     return m;
 }
 
-// How a rod stands that points along `rod` at design and along `now`, on a universal joint: first about the unit axis
+// Orientation of a rod on a universal joint that points along `rod` at design and along `now`: first about the unit axis
 // `a`, which now points the same way, then about the unit axis b that the first has turned along; a, b and a x b at
 // right angles.
 inline Mat3<double> on_universal_joint(const Vec& rod, const Vec& now, const Vec& a, const Vec& b) {
     const Vec c = a.cross(b);
-    // About b: the component along a becomes that of `now`, which the turn about a leaves.
+    // About b: the component along a becomes that of `now`, which the rotation about a preserves.
     const double ra = rod.dot(a), rc = rod.dot(c), na = now.dot(a), flat = ra * ra + rc * rc;
     const double nc = std::copysign(std::sqrt(flat - na * na), rc);
     const double second = std::atan2(na, nc) - std::atan2(ra, rc);
@@ -114,7 +115,7 @@ inline Mat3<double> on_universal_joint(const Vec& rod, const Vec& now, const Vec
 // Three hinges about z: crank O-A, rod A-S; the slider S moves along x.
 struct PlanarSliderCrank {
     Vec O, A, S;
-    Places places(double angle) const {
+    Poses poses(double angle) const {
         const Mat3<double> crank = turn(Vec::UnitZ(), angle);
         const Vec tip = O + crank * (A - O), rod = S - A;
         const double rise = S[1] - tip[1], reach = std::sqrt(rod.squaredNorm() - rise * rise);
@@ -130,8 +131,8 @@ inline Mechanism planar_slider_crank(const PlanarSliderCrank& at) {
     const std::size_t rod = add_part(m, TreeJoint::revolute, crank, at.A, Vec::UnitZ());
     const std::size_t slider = add_part(m, TreeJoint::prismatic, 0, at.S, Vec::UnitX());
     cut_hinge(m, rod, slider, at.S);
-    m.spoke.linkage.independent = {0};
-    m.places = [at](double angle) { return at.places(angle); };
+    m.suspension.linkage.independent = {0};
+    m.poses = [at](double angle) { return at.poses(angle); };
     return m;
 }
 
@@ -139,7 +140,7 @@ inline Mechanism planar_slider_crank(const PlanarSliderCrank& at) {
 struct SpatialSliderCrank {
     Vec A, B, S;        // of the crank, at its tip, on the slider
     Vec first, second;  // axes of the universal joint, the first on the slider
-    Places places(double angle) const {
+    Poses poses(double angle) const {
         const Mat3<double> crank = turn(Vec::UnitX(), angle);
         const Vec tip = A + crank * (B - A), rod = B - S;
         const double reach = std::sqrt(rod.squaredNorm() - (tip - S).tail<2>().squaredNorm());
@@ -155,8 +156,8 @@ inline Mechanism spatial_slider_crank(const SpatialSliderCrank& at) {
     const std::size_t slider = add_part(m, TreeJoint::prismatic, 0, at.S, Vec::UnitX());
     const std::size_t rod = add_part(m, TreeJoint::universal, slider, at.S, at.first, at.second);
     cut_ball(m, rod, crank, at.B);
-    m.spoke.linkage.independent = {0};
-    m.places = [at](double angle) { return at.places(angle); };
+    m.suspension.linkage.independent = {0};
+    m.poses = [at](double angle) { return at.poses(angle); };
     return m;
 }
 
@@ -164,7 +165,7 @@ inline Mechanism spatial_slider_crank(const SpatialSliderCrank& at) {
 struct SpatialFourBar {
     Vec A, B, C, E;     // pivot of the crank, its tip, tip of the rocker, its pivot
     Vec first, second;  // axes of the universal joint, the first on the rocker
-    Places places(double angle) const {
+    Poses poses(double angle) const {
         const Mat3<double> crank = turn(Vec::UnitX(), angle);
         const Vec tip = A + crank * (B - A);
         const double swing = rocker_angle(tip, std::abs(rocker_angle(B, 1)) < 1e-9 ? 1 : -1);
@@ -189,8 +190,8 @@ inline Mechanism spatial_four_bar(const SpatialFourBar& at) {
     const std::size_t rocker = add_part(m, TreeJoint::revolute, 0, at.E, Vec::UnitY());
     const std::size_t coupler = add_part(m, TreeJoint::universal, rocker, at.C, at.first, at.second);
     cut_ball(m, coupler, crank, at.B);
-    m.spoke.linkage.independent = {0};
-    m.places = [at](double angle) { return at.places(angle); };
+    m.suspension.linkage.independent = {0};
+    m.poses = [at](double angle) { return at.poses(angle); };
     return m;
 }
 

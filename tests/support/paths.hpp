@@ -1,4 +1,5 @@
-// Where the project's files and its program are. One source alone is told, so that a compiler's cache serves every folder.
+// Where the project's files and its program are. Only one source is compiled with these paths, so that a compiler
+// cache works for every folder.
 #pragma once
 
 #include <string>

@@ -3,8 +3,8 @@
 
 namespace hamilcar::test {
 
-// From here on the system refuses this process, and what it starts, to make memory executable; unless `may_map`, also to map
-// any, which a program that starts must. False where that cannot be had.
+// From now on the system refuses executable memory to this process and its children; without `may_map` even mapping it, which
+// starting a program requires. Returns false if the system cannot do this.
 bool refuse_executable_memory(bool may_map);
 
 }  // namespace hamilcar::test

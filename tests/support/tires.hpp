@@ -1,4 +1,4 @@
-// A tire of every model in a size that fits the shipped car, and what all descriptions have in common.
+// A tire of every model in a size that fits the shipped car, and their common properties.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace hamilcar::test {
 
-// The bilateral vertical spring in its place.
+// The bilateral vertical spring instead of a tire.
 inline SpringTireDescription spring_of(const TireDescription& tire) {
     const CasingDescription casing = casing_of(tire);
     return {casing.radius, casing.rolling_radius, casing.vertical_stiffness};

@@ -1,7 +1,7 @@
 // The shipped hardpoints against kinematics that were derived from them before there was a simulator, by a calculation of
 // its own: camber, toe, caster, strut length and longitudinal wheel movement over travel, steer over rack, arm angles.
 // Published are alignment, camber gain and rack ratio at design alone, which the hardpoints were solved for
-// (vehicles/bmw_323i.toml; tests/analysis/kinematics_test.cpp): nobody ever published these curves.
+// (vehicles/bmw_323i.toml; tests/analysis/kinematics_test.cpp): these curves were never published.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -36,9 +36,9 @@ public:
         const auto velocity = velocity_block(model_, state_, input_);
         const SuspensionVelocity<double>& at = velocity.suspensions[index_];
         const Vec3<double>& e = at.axis[0];
-        const auto contact = [](const Vec3<double>& hub, const Vec3<double>& axis) {
+        const auto contact = [](const Vec3<double>& center, const Vec3<double>& axis) {
             const Vec3<double> down = (Vec3<double>::UnitZ() - axis * axis[2]).normalized();
-            return Vec3<double>(hub - down * hub_height);
+            return Vec3<double>(center - down * center_height);
         };
         const auto own = suspension().state(state_.values.data());
         const double spring =
@@ -63,7 +63,7 @@ public:
     }
 
 private:
-    static constexpr double hub_height = 0.28;  // wheel center over ground at design [m]
+    static constexpr double center_height = 0.28;  // wheel center over ground at design [m]
 
     const Suspension<double>& suspension() const { return model_.vehicle.suspensions[index_]; }
     const Wheel<double>& wheel() const { return suspension().wheels[0].wheel; }
@@ -166,7 +166,7 @@ TEST_P(Steer, FollowsTheRack) {
     EXPECT_NEAR(HeldSuspension(0).at(0, 1e-3 * GetParam().rack_mm).steer - straight, GetParam().steer, angle_tolerance);
 }
 
-// A strut whose tie rod ends on the chassis, as on a rear axle, does not hear the rack.
+// A strut whose tie rod ends on the chassis, as on a rear axle, does not respond to the rack.
 TEST(UnsteeredStrut, IgnoresTheRack) {
     VehicleDescription car = test::paper_car();
     car.suspensions[0].linkage.cuts.at(1).drive = {};  // tie rod
@@ -177,7 +177,7 @@ TEST(UnsteeredStrut, IgnoresTheRack) {
     ASSERT_TRUE(assemble(model, {.displacement = 0.01}, turned).assembled);
     const Input<double> moving{.rack = {0.01, 0.2, 3}};
     const auto velocity = velocity_block(model, turned, moving);
-    const auto drift = [&](std::size_t i) {
+    const auto rack_motion = [&](std::size_t i) {
         return velocity.suspensions[i].at.motion.x[model.vehicle.suspensions[i].wheels[0].frame].norm();
     };
     const auto turned_by = [&](std::size_t i, int angle) {
@@ -185,8 +185,8 @@ TEST(UnsteeredStrut, IgnoresTheRack) {
         return std::abs(suspension.state(turned.values.data()).dependent[angle] -
                         suspension.state(straight.values.data()).dependent[angle]);
     };
-    EXPECT_EQ(drift(0), 0);
-    EXPECT_GT(drift(1), 0.1);
+    EXPECT_EQ(rack_motion(0), 0);
+    EXPECT_GT(rack_motion(1), 0.1);
     for (int angle = 0; angle < 3; ++angle) EXPECT_LE(turned_by(0, angle), 1e-15);
     EXPECT_GT(turned_by(1, 0), 0.05);  // about z
 }

@@ -1,5 +1,5 @@
-// The disc on the plane: its lowest point found by search, axes that are a frame, and a depth whose rate is exact for any
-// motion of wheel and chassis, so that the vertical spring gives back what it took.
+// The disc on the plane: its lowest point found by search, orthonormal axes, and an exact rate of the depth for any motion of wheel
+// and chassis, so that the vertical spring is conservative.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 constexpr double radius = 0.2948;
 constexpr double exact = 1e-14;  // some ten roundings of numbers near one
 
-RoadPlane<double> sloping_road() {
+TangentPlane<double> sloping_road() {
     return {Vec3<double>(-0.12, 0.08, 1).normalized(), 0.07, 1};
 }
 
@@ -39,7 +39,7 @@ std::array<Wheel, 5> wheels() {
 }
 
 TEST(ContactFrame, HasOrthonormalAxesForwardLeftUp) {
-    const RoadPlane<double> road = sloping_road();
+    const TangentPlane<double> road = sloping_road();
     for (const auto& [center, axis] : wheels()) {
         const auto f = contact_frame<double>(road, center, axis, radius);
         Mat3<double> axes;
@@ -54,7 +54,7 @@ TEST(ContactFrame, HasOrthonormalAxesForwardLeftUp) {
 
 // A search over the rim needs no formula: the lowest of many points, refined by a parabola through it and its neighbors.
 TEST(ContactFrame, FindsTheLowestPointOfTheDisc) {
-    const RoadPlane<double> road = sloping_road();
+    const TangentPlane<double> road = sloping_road();
     for (const auto& [center, axis] : wheels()) {
         const Vec3<double> a = axis.unitOrthogonal(), b = axis.cross(a);
         const auto height = [&](double turn) {
@@ -78,7 +78,7 @@ TEST(ContactFrame, FindsTheLowestPointOfTheDisc) {
 
 // The lever turns spin into speed of the disc's material at P; upright it is the loaded radius.
 TEST(ContactFrame, LeverIsTheSpeedPerSpinOfTheMaterialAtTheContact) {
-    const RoadPlane<double> road = sloping_road();
+    const TangentPlane<double> road = sloping_road();
     for (const auto& [center, axis] : wheels()) {
         const auto f = contact_frame<double>(road, center, axis, radius);
         const auto spun = [&, c = center, e = axis](double angle) {
@@ -87,11 +87,11 @@ TEST(ContactFrame, LeverIsTheSpeedPerSpinOfTheMaterialAtTheContact) {
         const Vec3<double> velocity = test::derivative(spun, 0.0);
         EXPECT_NEAR(f.longitudinal.dot(velocity), -f.lever, 1e-12) << "spinning forward moves the contact backward";
     }
-    const RoadPlane<double> flat{Vec3<double>::UnitZ(), 0, 1};
+    const TangentPlane<double> flat{Vec3<double>::UnitZ(), 0, 1};
     EXPECT_NEAR(contact_frame<double>(flat, {0, 0, 0.28}, Vec3<double>::UnitY(), radius).lever, 0.28, exact);
 }
 
-// The wheel flies along a screw in a chassis that flies along another one, over a fixed road.
+// The wheel moves along a screw relative to a chassis that moves along another one, over a fixed road.
 TEST(ContactFrame, DepthRateIsMinusTheNormalVelocityOfTheLowestPoint) {
     const PlaneRoad<double> road(0.12, -0.08, 1);
     const Vec3<double> wheel_spin(0.5, 0.2, 1.2), wheel_velocity(0.1, -0.3, 0.8), chassis_spin(0.7, -0.4, 0.9),
@@ -114,8 +114,8 @@ TEST(ContactFrame, DepthRateIsMinusTheNormalVelocityOfTheLowestPoint) {
     }
 }
 
-TEST(ContactFrame, OfAWheelLyingFlatStaysFinite) {
-    const RoadPlane<double> road = sloping_road();
+TEST(ContactFrame, StaysFiniteForAWheelLyingFlat) {
+    const TangentPlane<double> road = sloping_road();
     for (const double tilt : {0.0, 1e-12, 1e-6, 1e-3}) {
         for (const double side : {1.0, -1.0}) {
             const Vec3<double> axis = axis_rotation<double>(road.normal.unitOrthogonal(), tilt) * (side * road.normal);

@@ -1,11 +1,11 @@
-// The linear tire against its own law written out again: the steady slip force with its friction limit, stiffnesses
+// The linear tire against an independent implementation of its law: the steady slip force with its friction limit, stiffnesses
 // of Pacejka's set, relaxation by length, mirror symmetry, and a load that only pushes.
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <random>
 
-#include "hamilcar/tire/holding.hpp"
+#include "hamilcar/tire/contact_deflection.hpp"
 #include "support/difference.hpp"
 #include "tire/rolling_tire.hpp"
 
@@ -47,7 +47,7 @@ TEST(LinearTire, SmallSteadySlipGivesStiffnessTimesSlip) {
     }
 }
 
-// Of Pacejka's 205/60 R 15 (Tyre and Vehicle Dynamics, 2006, Table A3.1), which it stands for, at the car's static loads:
+// Those of Pacejka's 205/60 R 15 (Tyre and Vehicle Dynamics, 2006, Table A3.1), which it approximates, at the car's static loads:
 // 664 N/deg in front, 579 N/deg at the rear.
 TEST(LinearTire, HasTheCorneringStiffnessOfPacejkasSet) {
     const auto tire = test::paper_tire();
@@ -91,7 +91,7 @@ TEST(LinearTire, CombinedSteadySlipFollowsTheFrictionCircle) {
     }
 }
 
-TEST(LinearTire, LockedWheelIsHeldBackAgainstItsSlidingVelocity) {
+TEST(LinearTire, ForceOnALockedWheelOpposesItsSlidingVelocity) {
     const auto tire = test::paper_tire();
     for (const double angle : {0.0, 0.4, 1.2, 2.5, -2.0}) {
         auto contact = test::loaded(tire, front_load);
@@ -140,7 +140,7 @@ TEST(LinearTire, NeverLeavesTheFrictionCircleAndOnlyPushes) {
     EXPECT_LT(at_limit, touching);
 }
 
-TEST(LinearTire, TurnsItsForceWithTheMirrorAndWithTheDirectionOfRolling) {
+TEST(LinearTire, IsSymmetricToMirroringAndToTheDirectionOfRolling) {
     const LinearTire<double> model(test::paper_tire());
     std::mt19937 source(2);
     for (int i = 0; i < 1000; ++i) {
@@ -184,24 +184,24 @@ TEST(LinearTire, VerticalSpringIsTheGradientOfItsPotentialAndItsDamperResists) {
     }
 }
 
-TEST(LinearTire, HoldsAtRestWithTheDeflectionsItNames) {
+TEST(LinearTire, BalancesForcesAtRestWithTheComputedDeflections) {
     const auto tire = test::paper_tire();
     const LinearTire<double> model(tire);
     for (const auto& [x, y] : {std::pair{0.3, 0.0}, std::pair{0.0, -0.5}, std::pair{-0.2, 0.4}}) {
         auto contact = test::loaded(tire, front_load);
         const auto deflection =
-            holding(Tire<double>(model), test::loaded(tire, front_load), x * front_load, y * front_load);
+            contact_deflection(Tire<double>(model), test::loaded(tire, front_load), x * front_load, y * front_load);
         contact.u = deflection.u, contact.v = deflection.v;
         const auto force = model.force(contact);
         EXPECT_NEAR(force.Fx, x * front_load, 1e-9);
         EXPECT_NEAR(force.Fy, y * front_load, 1e-9);
-        EXPECT_EQ(force.u_rate, 0) << "nothing creeps";
+        EXPECT_EQ(force.u_rate, 0) << "no slow sliding";
         EXPECT_EQ(force.v_rate, 0);
     }
 }
 
 // After a step of slip the missing force falls by e per relaxation length rolled, at any speed.
-TEST(LinearTire, RelaxesByRolledLength) {
+TEST(LinearTire, RelaxesByRollingDistance) {
     const auto tire = test::paper_tire();
     for (const double speed : {2.0, 20.0, -10.0}) {
         for (const bool lateral : {true, false}) {
@@ -225,8 +225,8 @@ TEST(LinearTire, RelaxesByRolledLength) {
     }
 }
 
-// Beyond the slip where sliding sets in, the surplus goes at 20 m/s per relaxation length, toward the limit.
-TEST(LinearTire, SlidingReturnsTheSurplusDeflection) {
+// Beyond the onset of sliding the excess deflection relaxes at 20 m/s per relaxation length, toward the limit.
+TEST(LinearTire, SlidingRelaxesTheExcessDeflection) {
     const auto tire = test::paper_tire();
     const double limit = tire.friction / lateral_stiffness(tire, front_load);
     auto contact = test::loaded(tire, front_load);
@@ -243,7 +243,7 @@ TEST(LinearTire, RollingResistanceOpposesTheSpin) {
     const double full = tire.rolling_resistance * front_load * tire.rolling_radius;
     EXPECT_NEAR(LinearTire<double>(tire).force(contact).rolling_moment, -full, 1e-3 * full);
     contact.omega = 0;
-    EXPECT_EQ(LinearTire<double>(tire).force(contact).rolling_moment, 0) << "a standing wheel is not pushed";
+    EXPECT_EQ(LinearTire<double>(tire).force(contact).rolling_moment, 0) << "no moment on a standing wheel";
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
-// The Magic Formula once more, line by line as published and for nothing but comparison: MF 5.2 (as PAC2002 prints it) and
+// Reference implementation of the Magic Formula, line by line as published, for comparison only: MF 5.2 (as PAC2002 prints it) and
 // MF 6.0 to 6.2 (Pacejka, Tire and Vehicle Dynamics, 3rd edition, (4.E1)-(4.E78); 6.0 has the 2nd edition's side force in the
-// aligning moment). Every scaling factor and pressure term stands where it stands in print. ISO-W, rolling ahead, no turn slip.
+// aligning moment). Every scaling factor and pressure term is where it is in print. ISO-W, rolling ahead, no turn slip.
 //
-// Where print and the vendors' solvers differ: camber is its sine throughout 6.x; the trail has Fz0', overturning and rolling
-// moment Fz0; rolling resistance has Fz0 in front and (Fz/Fz0)^QSY7, as the solvers have it.
+// Where print and the vendors' solvers differ, this follows the solvers: camber is its sine throughout 6.x; the trail uses Fz0',
+// overturning and rolling moment Fz0; rolling resistance is Fz0 (Fz/Fz0)^QSY7.
 #pragma once
 
 #include <algorithm>
@@ -116,7 +116,7 @@ private:
         return D * std::sin(p[RVY5] * std::atan(p[RVY6] * in_.kappa)) * p[LVYKA];
     }
 
-    // Slip that counts for the moment where longitudinal slip joins in.
+    // Equivalent slip of the moments with longitudinal slip.
     double equivalent(double a, double ratio) const {
         const double k = ratio * in_.kappa;
         if (d_.angle_slip) return std::atan(std::hypot(std::tan(a), k)) * sgn(a);

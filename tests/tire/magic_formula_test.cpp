@@ -1,5 +1,5 @@
-// The Magic Formula against the equations written out once more, against another's implementation on a published set, against
-// figures derived for the shipped set, and against its own mirror image.
+// The Magic Formula against a literal implementation of its equations, against a third-party implementation on a published set,
+// against figures derived for the shipped set, and against its own mirror image.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -36,7 +36,7 @@ test::LiteralInput random_input(std::mt19937& source, double widest_camber) {
             .speed = 25 + 20 * unit(source)};
 }
 
-// Moments against a lever that they could have: they cross zero.
+// Moments are compared relative to a typical lever arm, since they cross zero.
 void expect_same(const MagicFormula<double>& model, const MagicFormulaDescription& d, const test::LiteralInput& in,
                  double tolerance) {
     const auto is = evaluate(model, in);
@@ -56,8 +56,8 @@ void expect_same(const MagicFormula<double>& model, const MagicFormulaDescriptio
     EXPECT_NEAR(limits.relaxation_y, should.sigma_y, tolerance * should.sigma_y);
 }
 
-// The angle of camber, which only 5.2 wants, is a series in its sine: 6e-6 short at 0.35 rad, 1e-12 at 0.06.
-TEST(MagicFormula, IsThePublishedEquationsForRandomSetsOfEveryVersion) {
+// The camber angle, used by 5.2 only, is a series in its sine: 6e-6 short at 0.35 rad, 1e-12 at 0.06.
+TEST(MagicFormula, MatchesThePublishedEquationsForRandomSetsOfEveryVersion) {
     std::mt19937 source(3);
     for (const MagicVersion version : versions) {
         for (int set = 0; set < 100; ++set) {
@@ -73,8 +73,8 @@ TEST(MagicFormula, IsThePublishedEquationsForRandomSetsOfEveryVersion) {
     }
 }
 
-// Outside the ranges of the file the tire behaves as at their ends; loads end likewise.
-TEST(MagicFormula, HoldsItsInputsAtTheRangesOfTheFile) {
+// Inputs outside the ranges of the file, loads included, are clamped to them.
+TEST(MagicFormula, ClampsItsInputsToTheRangesOfTheFile) {
     std::mt19937 source(4);
     auto d = test::random_magic_set(source, MagicVersion::v61);
     d.load = {200, 6000}, d.slip = {-0.8, 0.9}, d.angle = {-0.3, 0.4}, d.camber = {-0.1, 0.1};
@@ -107,13 +107,13 @@ MagicFormulaDescription published_set() {
     return d;
 }
 
-// What that implementation leaves out of (4.E71) to (4.E76): in pure side slip the moment s Fx, in s the camber, and in the
+// What that implementation omits from (4.E71) to (4.E76): in pure side slip the moment s Fx, in s the camber, and in the
 // residual moment the shift of the side force by camber.
 double left_out(const MagicFormulaDescription& d, const test::LiteralInput& in, double Fx, double Fy) {
     const MagicCoefficients& p = d.coefficients;
     const double dfz = in.load / d.nominal_load - 1, g = std::sin(in.gamma), R0 = d.nominal_radius;
     const double leaning = R0 * (p[SSZ3] + p[SSZ4] * dfz) * g, upright = R0 * (p[SSZ1] + p[SSZ2] * Fy / d.nominal_load);
-    const double arm = in.kappa == 0 ? upright + leaning : leaning;  // what it lacks of s
+    const double arm = in.kappa == 0 ? upright + leaning : leaning;  // its missing part of s
 
     const double y = in.load / d.nominal_load / p[PKY2], K0 = p[PKY1] * d.nominal_load * std::sin(2 * std::atan(y));
     const double K = K0 * (1 - p[PKY3] * std::abs(g)), V = in.load * (p[PVY1] + p[PVY2] * dfz);
@@ -128,7 +128,7 @@ double left_out(const MagicFormulaDescription& d, const test::LiteralInput& in, 
     return arm * Fx + own - its;
 }
 
-// Values that another's implementation, magic-formula-tyre-library (e9f0354), gives for that table, as recorded in
+// Values that a third-party implementation, magic-formula-tyre-library (e9f0354), gives for that table, as recorded in
 // KMoula30/outlap, tests/golden; facts only. It takes the plain slip angle in the pure side force where the tire here takes
 // its tangent.
 TEST(MagicFormula, AgreesWithAnotherImplementation) {
@@ -178,7 +178,7 @@ TEST(MagicFormula, AgreesWithAnotherImplementation) {
 }
 
 // Derived from the published coefficients for the car's static loads before there was a simulator.
-TEST(MagicFormula, TheShippedSetHasTheFiguresDerivedForIt) {
+TEST(MagicFormula, ShippedSetHasItsDerivedFigures) {
     const auto file = io::read_tir(test::source_path("vehicles/tires/pacejka_205_60_r15.tir"));
     const Tire<double> tire = make_tire<double>(TireDescription(symmetric(file.tire)));
     const TireFigures front = tire_figures(tire, 3059), rear = tire_figures(tire, 2581);
@@ -199,8 +199,8 @@ test::LiteralInput turned(test::LiteralInput in) {
     return in;
 }
 
-// To the last bit: a change of sign rounds nothing.
-TEST(MagicFormula, MirroredIsTheExactMapOfInputsAndOutputs) {
+// To the last bit, since a change of sign does not round.
+TEST(MagicFormula, MirroringIsExact) {
     std::mt19937 source(5);
     for (const MagicVersion version : versions) {
         for (int set = 0; set < 50; ++set) {
@@ -220,7 +220,7 @@ TEST(MagicFormula, MirroredIsTheExactMapOfInputsAndOutputs) {
     }
 }
 
-TEST(MagicFormula, MirroredTwiceIsTheSameAndSymmetricIsItsOwnMirror) {
+TEST(MagicFormula, MirroringTwiceIsTheIdentityAndSymmetricSetsAreUnchanged) {
     std::mt19937 source(6);
     for (const MagicVersion version : versions) {
         const auto d = test::random_magic_set(source, version);

@@ -68,7 +68,7 @@ inline MagicFormulaDescription random_magic_set(std::mt19937& source, MagicVersi
     } else {
         fill(detail::of_6);
     }
-    if (source() % 2) {  // the sign of PDY1 is a matter of taste
+    if (source() % 2) {  // both signs of PDY1 are in use
         d.coefficients[PDY1] = -d.coefficients[PDY1], d.coefficients[PDY2] = -d.coefficients[PDY2];
     }
     return d;

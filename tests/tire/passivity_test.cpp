@@ -1,5 +1,5 @@
-// A tire gives back what it stored and no more: over any cycle that ends as it began, the road's hold on the contact takes
-// work, whatever the slip did on the way. Load and road stay constant here.
+// Passivity: a tire returns at most the energy it stored. Over any closed cycle the contact force dissipates work, whatever the
+// slip history. Load and road are constant here.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double load = 3059;
 
-// A contact going round; contact_at(t) has the given period and leaves out the deflections.
+// A periodic contact; contact_at(t) has the given period and leaves out the deflections.
 class Cycle {
 public:
     template <class ContactAt>
@@ -46,7 +46,7 @@ private:
     double work_ = 0, turnover_ = 0;
 };
 
-// A standing wheel whose contact is led once round an ellipse of transient slip: center and radius of k, either sense.
+// A standing wheel whose contact moves once around an ellipse of transient slip: center and radius of k, either sense.
 Cycle standing_round(const LinearTireDescription& tire, Deflection<double> start, double radius, double period,
                      double sense, int steps = 2000);
 Cycle standing_round(const LinearTireDescription& tire, Vector<double, 2> center, double radius, double period,
@@ -78,8 +78,8 @@ double lateral_limit(const LinearTireDescription& tire) {
     return tire.friction * (1 + x * x) / (2 * tire.cornering_reference / tire.cornering_load);
 }
 
-// Below both limits: a spring, so a slow round costs nothing and a fast one only what the carcass damps.
-TEST(TirePassivity, StandingWellInsideTheLimitItIsASpring) {
+// Below both limits it is a spring: a slow cycle dissipates nothing and a fast one only the carcass damping.
+TEST(TirePassivity, IsASpringAtAStandstillInsideTheLimit) {
     const auto tire = test::paper_tire();
     const double reach = longitudinal_limit(tire);
     for (const double sense : {1.0, -1.0}) {
@@ -93,12 +93,12 @@ TEST(TirePassivity, StandingWellInsideTheLimitItIsASpring) {
                                tire.friction / lateral_limit(tire) * tire.relaxation_lateral);
         EXPECT_NEAR(slow.work(), damped, 1e-6 * damped);
         EXPECT_LT(slow.work(), 1e-3 * slow.turnover());
-        EXPECT_NEAR(fast.work() / slow.work(), 200, 1e-3) << "damping takes in proportion to speed";
+        EXPECT_NEAR(fast.work() / slow.work(), 200, 1e-3) << "damping is proportional to speed";
     }
 }
 
-// Led round so widely that it sticks and slides in turn: once the cycle repeats itself, it takes work.
-TEST(TirePassivity, StickingAndSlidingInTurnTakesWork) {
+// On an ellipse so large that it alternately sticks and slides: once the cycle is periodic, it dissipates work.
+TEST(TirePassivity, AlternateStickingAndSlidingDissipates) {
     const auto tire = test::paper_tire();
     for (const double period : {0.1, 1.0, 10.0}) {
         for (const double radius : {0.06, 0.1, 0.3}) {
@@ -120,8 +120,8 @@ struct Rolling {
 
 class RandomHistories : public testing::TestWithParam<Rolling> {};
 
-// Repeated until the deflections return to where they were; then no store can pay for anything.
-TEST_P(RandomHistories, TakeWorkOverACycle) {
+// Repeated until the deflections return to where they were; then no stored energy can be returned.
+TEST_P(RandomHistories, DissipateOverACycle) {
     const auto [speed, variation, slip] = GetParam();
     const auto tire = test::paper_tire();
     std::mt19937 source(7);

@@ -1,5 +1,5 @@
-// Tires with slip curves at their limits: what the curves are worth at known points, how far combined forces reach, and that
-// nothing jumps on the way, whatever passes through zero.
+// Tires with slip curves at their limits: values of the curves at known points, bounds of combined forces, and continuity
+// whatever passes through zero.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -14,7 +14,7 @@ namespace {
 using test::SlipModel;
 
 // Worked by hand from the formulas of the Adams/Tire help for a Fiala tire.
-TEST(FialaTire, GivesTheValuesWorkedOutForIt) {
+TEST(FialaTire, GivesTheValuesComputedByHand) {
     FialaDescription d = test::worked_fiala();
     d.cornering_stiffness = 800 * 180 / std::numbers::pi;
     d.static_friction = 1, d.sliding_friction = 0.9, d.width = 0.235;
@@ -75,9 +75,9 @@ protected:
 };
 
 // (Fx / D_x)^2 + (Fy / D_y)^2, its root's largest value over random slips and loads. The Magic Formula weights each force by
-// itself and adds a side force of its own to a driven wheel, so it may pass the ellipse; TMeasy takes the size of its force
-// from an ellipse over the direction of slip, not of force. How far each goes is measured.
-TEST_P(SlipLimitsOf, CombinedForcesStayByTheEllipse) {
+// itself and adds a side force of its own to a driven wheel, so it may exceed the ellipse; TMeasy takes the size of its force
+// from an ellipse over the direction of slip, not of force. The excess of each is measured.
+TEST_P(SlipLimitsOf, CombinedForcesStayNearTheEllipse) {
     const std::map<std::string, double> bounds{{"shipped", 1.03}, {"magic_52", 1.02}, {"magic_61", 1.21},
                                                {"tmeasy", 1.02},  {"fiala", 1},       {"brush", 1}};
     std::mt19937 source(4);
@@ -130,8 +130,8 @@ private:
     std::array<std::array<double, 6>, 10> terms_;
 };
 
-// A jump is as large in half a step; what is continuous moves by half as much.
-TEST_P(SlipLimitsOf, NothingJumps) {
+// A jump is equally large over half a step; a continuous quantity changes by half as much.
+TEST_P(SlipLimitsOf, IsContinuous) {
     std::mt19937 source(5);
     const double depth = test::loaded(tire, GetParam().load).depth;
     for (int trial = 0; trial < 4; ++trial) {

@@ -1,5 +1,5 @@
-// One tire of every kind that has slip curves, symmetric, and what tests ask of them: the curves themselves, and the tire with
-// its deflections settled.
+// One symmetric tire of every type with slip curves, and helpers of the tests: the curves themselves, and the tire with settled
+// deflections.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ namespace hamilcar::test {
 struct SlipModel {
     std::string name;
     TireDescription description;
-    double load;    // that the tire is made for [N]
+    double load;    // nominal [N]
     double radius;  // [m]
     friend void PrintTo(const SlipModel& model, std::ostream* out) { *out << model.name; }
 };
@@ -87,7 +87,7 @@ inline TireForce<double> force(const Tire<double>& tire, const TireContact<doubl
     return std::visit([&](const auto& model) { return model.force(c); }, tire);
 }
 
-// The curves, asked directly; a tire without any has none.
+// The curves, evaluated directly; empty for a tire without curves.
 struct Curve {
     SlipLimits<double> limits;
     SlipForces<double> forces;
@@ -105,7 +105,7 @@ inline Curve curve(const Tire<double>& tire, double load, double friction, const
         tire);
 }
 
-// What a relaxation length is at a speed: not below what a step can follow.
+// The relaxation length at a speed, with its lower bound.
 inline double length(double sigma, double speed) {
     return std::max(sigma, 0.05 + std::abs(speed) / 300);
 }
@@ -137,7 +137,7 @@ void advance(const Tire<double>& tire, const ContactAt& contact_at, double t, do
     d.v += h / 6 * (k1.v_rate + 2 * k2.v_rate + 2 * k3.v_rate + k4.v_rate);
 }
 
-// A constant contact whose deflections have come to rest.
+// A constant contact with settled deflections.
 inline TireContact<double> settled(const Tire<double>& tire, TireContact<double> c) {
     Deflection<double> d{c.u, c.v};
     for (int i = 0; i < 40000; ++i) {

@@ -1,6 +1,6 @@
-// A tire with slip curves takes work over any cycle that ends as it began: rolling, or pulled to and fro along one direction
-// while it stands. Load constant, no camber, nothing skew. Standing and led round in both directions at once they can give
-// some: forces at combined slip have no potential over the deflection. How much is measured and bounded here.
+// A tire with slip curves dissipates work over any closed cycle: rolling, or moved back and forth along one direction at a
+// standstill, with constant load and symmetric curves without camber. Moved around a closed curve at a standstill it can release
+// some work, since forces at combined slip have no potential over the deflection. The amount is measured and bounded here.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -78,11 +78,11 @@ double least_share(const SlipModel& model, const Motion& motion, int trials) {
             work = once_round(tire, contact_at, period, start);
             moved = std::max(std::abs(work.end.u - start.u), std::abs(work.end.v - start.v));
         }
-        if (moved > 1e-8) continue;  // still creeping: its store may yet change
+        if (moved > 1e-8) continue;  // not yet periodic: its stored energy may still change
         ++closed;
         least = std::min(least, work.sum / work.turnover);
     }
-    EXPECT_GE(2 * closed, trials) << "many must close for this to say anything";
+    EXPECT_GE(2 * closed, trials) << "most cycles must close for a meaningful test";
     std::printf("%-8s %-18s least work over turnover %9.2e, %d of %d closed\n", model.name.c_str(), motion.name.c_str(),
                 least, closed, trials);
     return least;
@@ -90,7 +90,7 @@ double least_share(const SlipModel& model, const Motion& motion, int trials) {
 
 class SlipPassivity : public testing::TestWithParam<SlipModel> {};
 
-TEST_P(SlipPassivity, RollingTakesWork) {
+TEST_P(SlipPassivity, RollingDissipates) {
     for (const Motion& motion :
          {Motion{"slow", 1, 0, 0.1}, Motion{"rolling", 10, 0, 1}, Motion{"changing speed", 10, 2, 1},
           Motion{"fast", 30, 0, 0.5}, Motion{"fast and sliding", 30, 0, 10}}) {
@@ -98,14 +98,14 @@ TEST_P(SlipPassivity, RollingTakesWork) {
     }
 }
 
-TEST_P(SlipPassivity, StandingAndPulledAlongOneDirectionTakesWork) {
+TEST_P(SlipPassivity, MotionAlongOneDirectionAtAStandstillDissipates) {
     for (const double slip : {0.02, 0.3, 3.0}) {
         EXPECT_GE(least_share(GetParam(), {"standing, along", 0, 0, slip, true, false}, 4), -1e-6);
         EXPECT_GE(least_share(GetParam(), {"standing, across", 0, 0, slip, false, true}, 4), -1e-6);
     }
 }
 
-// Led once round an ellipse inside its limits, so slowly that the carcass damps nothing: center and size in shares of D / K.
+// Moved once around an ellipse inside its limits, so slowly that carcass damping vanishes: center and size in shares of D / K.
 double share_of_a_round(const SlipModel& model, std::mt19937& source) {
     const Tire<double> tire = make_tire<double>(model.description);
     const auto at = test::curve(tire, model.load, 1, {}).limits;
@@ -123,13 +123,13 @@ double share_of_a_round(const SlipModel& model, std::mt19937& source) {
         return c;
     };
     const Work work = once_round(tire, contact_at, period, {reach_x * (x + size), reach_y * y});
-    EXPECT_NEAR(work.end.u, reach_x * (x + size), 1e-9) << "it sticks, so the round closes";
+    EXPECT_NEAR(work.end.u, reach_x * (x + size), 1e-9) << "it sticks, so the cycle closes";
     return work.sum / work.turnover;
 }
 
-// Bounds as measured: how much of the turnover a round can give. Only curves whose forces have a potential over the deflection
-// give nothing; none of these do.
-TEST_P(SlipPassivity, StandingAndLedRoundGivesNoMoreThanMeasured) {
+// Measured bounds: the share of the turnover that a cycle can release. Only curves whose forces have a potential over the
+// deflection release nothing; none of these do.
+TEST_P(SlipPassivity, ClosedCurvesAtAStandstillReleaseNoMoreThanMeasured) {
     const std::map<std::string, std::pair<double, double>> given{{"shipped", {0.035, 0}},  {"magic_52", {0.22, 0.04}},
                                                                  {"magic_61", {0.015, 0}}, {"tmeasy", {0.012, 0}},
                                                                  {"fiala", {2e-4, 0}},     {"brush", {0.032, 0.01}}};

@@ -1,5 +1,5 @@
-// What makes forces of slip curves, for every tire that has some: steady rolling gives the curves back, a standing contact is
-// a spring that slides at its limit, both sides are alike, and nothing jumps in between.
+// The common base of all tires with slip curves: steady rolling reproduces the curves, a standing contact is a spring that slides
+// at its limit, left and right are symmetric, and forces are continuous.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -25,7 +25,7 @@ protected:
         c.omega = (speed - c.v_sx) / GetParam().radius;
         return c;
     }
-    // The curves at a slip, of a wheel that moves as this contact does.
+    // The curves at a slip, for the motion of this contact.
     SlipForces<double> at_slip(const TireContact<double>& c, double kappa, double slope) const {
         const double ahead = c.v_x / std::sqrt(c.v_x * c.v_x + c.v_sy * c.v_sy + 0.01);
         return test::curve(tire, load, c.friction, {kappa, slope, ahead, c.v_x}).forces;
@@ -33,7 +33,7 @@ protected:
     SlipLimits<double> limits(double friction = 1) const { return test::curve(tire, load, friction, {}).limits; }
 };
 
-TEST_P(SlipTires, SteadyRollingGivesTheCurves) {
+TEST_P(SlipTires, SteadyRollingReproducesTheCurves) {
     const std::pair<double, double> slips[]{{0, 0},       {1e-3, 0}, {0, -1e-3},    {0.03, 0.02}, {-0.1, 0.15},
                                             {0.25, -0.1}, {0, 0.8},  {-0.95, 0.05}, {-0.4, -0.5}, {0.8, 0.3}};
     for (const double speed : {2.0, 3.0, 10.0, 30.0, -3.0, -10.0}) {
@@ -62,8 +62,8 @@ TEST_P(SlipTires, SmallSlipGivesTheStiffnesses) {
     EXPECT_NEAR((fy(-probe) - fy(probe)) / (2 * probe), at.stiffness_y, 0.003 * at.stiffness_y);
 }
 
-// A standing contact keeps its deflection, sliding or not, and pulls as the curve does at the slip that it stands for.
-TEST_P(SlipTires, StandingItKeepsItsDeflection) {
+// A standing contact keeps its deflection, sliding or not, and its force is that of the curve at the equivalent slip.
+TEST_P(SlipTires, KeepsItsDeflectionAtAStandstill) {
     const auto at = limits();
     const double sigma_x = test::length(at.relaxation_x, 0), sigma_y = test::length(at.relaxation_y, 0);
     for (const double reach : {0.1, 0.7, 1.5}) {
@@ -87,7 +87,7 @@ TEST_P(SlipTires, StandingItKeepsItsDeflection) {
 // Dragged sideways, the contact deflects against its motion and no further than 1.7 + 1 limits; fast dragging, which has to
 // stay within reach of a step, adds v_s / (20 m/s). It follows when the motion turns. Weights of the Magic Formula with
 // RCX1, RCY1 > 1 change sign at extreme slips, so its force may all but vanish there, as it does in one of the random sets.
-TEST_P(SlipTires, SlidingAtAStandstillIsBoundedAndTurns) {
+TEST_P(SlipTires, SlidingAtAStandstillIsBoundedAndFollowsTheMotion) {
     const double least = GetParam().name == "magic_61" ? 0.02 : -0.3;
     for (const double friction : {1.0, ice}) {
         const auto at = limits(friction);
@@ -135,7 +135,7 @@ TireContact<double> random_contact(std::mt19937& source, double load_depth) {
             .v = 0.05 * unit(source)};
 }
 
-TEST_P(SlipTires, BothSidesAreAlike) {
+TEST_P(SlipTires, IsSymmetric) {
     std::mt19937 source(2);
     for (int i = 0; i < 2000; ++i) {
         const auto contact = random_contact(source, standing().depth);
@@ -153,13 +153,13 @@ TEST_P(SlipTires, BothSidesAreAlike) {
     }
 }
 
-TEST_P(SlipTires, WithoutLoadThereIsNoForce) {
+TEST_P(SlipTires, HasNoForceWithoutLoad) {
     std::mt19937 source(3);
     for (int i = 0; i < 2000; ++i) {
         auto contact = random_contact(source, standing().depth);
         if (i % 2) {
             contact.depth = -std::abs(contact.depth);
-        } else {  // pressed, but leaving faster than the casing follows
+        } else {  // pressed, but separating faster than the casing follows
             contact.depth = std::abs(contact.depth), contact.depth_rate = -1e4;
         }
         const auto force = test::force(tire, contact);

@@ -8,7 +8,7 @@
 namespace hamilcar {
 namespace {
 
-TEST(SpringTire, IsMinusTheGradientOfItsPotentialBothWays) {
+TEST(SpringTire, IsMinusTheGradientOfItsPotentialInBothDirections) {
     const SpringTire<double> tire({.radius = 0.3, .rolling_radius = 0.29, .vertical_stiffness = 180e3});
     for (const double depth : {-0.05, 0.0, 0.017, 0.2}) {
         const TireContact<double> contact{.depth = depth,

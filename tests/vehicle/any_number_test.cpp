@@ -1,5 +1,5 @@
-// Every model of the lists on the number that records: what a double gives, the recorded program gives bit for bit, in a lane
-// beside a lane of another car in another situation. A model that takes a branch on a number, or looks into a table by one,
+// Every model with the recording scalar type: the recorded program gives the same bits as doubles, in a lane beside another car
+// in another situation. A model that takes a branch on a number, or looks into a table by one,
 // fails here; a new one is tried as soon as some vehicle of `cars` has it.
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ std::vector<Cars> cars() {
     return {{shipped, stretched(shipped)}, {conservative, stretched(conservative)}, {mixed, stretched(mixed)}};
 }
 
-// What a model answered, number by number.
+// The results of a model, number by number.
 template <class T>
 struct Answers {
     std::vector<T> numbers;
@@ -172,7 +172,7 @@ TEST(AnyNumber, CarriesLinkages) {
         LinkageRates<T> rates;
         linkage.find_rates(at, V_rate, rack, rates);
         std::array<Spatial<T>, max_frames> x_rate;
-        linkage.find_drift_rates(at, rates, rack, T(30), x_rate);
+        linkage.find_prescribed_rates(at, rates, rack, T(30), x_rate);
         Answers<T> answers;
         const auto frame = static_cast<std::size_t>(suspension.wheels[0].frame);
         const Pose<T> pose = at.pose[frame].pose();
@@ -180,10 +180,10 @@ TEST(AnyNumber, CarriesLinkages) {
         answers.add(Spatial<T>(at.motion.J[frame].col(0))), answers.add(at.motion.x[frame]);
         answers.add(Spatial<T>(rates.motion.J[frame].col(0))), answers.add(x_rate[frame]);
         for (std::size_t e = 0; e < static_cast<std::size_t>(linkage.nW()); ++e) {
-            answers.add(at.Phi[e]), answers.add(at.closing[e]);
+            answers.add(at.Phi[e]), answers.add(at.correction[e]);
         }
         const LineOfAction<T> line = linkage.line(suspension.springs[0].line, at, V.data(), W.data());
-        answers.add(line.length), answers.add(line.gradient[0]), answers.add(line.drift);
+        answers.add(line.length), answers.add(line.gradient[0]), answers.add(line.prescribed_rate);
         return answers;
     });
 }
@@ -194,7 +194,7 @@ TEST(AnyNumber, CarriesEveryTire) {
         const SuspensionWheel<T>& wheel = suspension.wheels[0];
         met.insert(wheel.tire.index());
         return dispatch(wheel.tire, [&](const auto& tire) {
-            const RoadPlane<T> road{Vec3<T>(T(0.1) * x[0], T(0.1) * x[1], T(1)), T(0.1) * x[2], T(0.9)};
+            const TangentPlane<T> road{Vec3<T>(T(0.1) * x[0], T(0.1) * x[1], T(1)), T(0.1) * x[2], T(0.9)};
             const Vec3<T> axis(T(0.2) * x[3], T(1), T(0.2) * x[4]);
             const auto frame = contact_frame<T>(road, wheel.wheel.center, axis, tire.radius);
             // In the air and on the ground, rolling, slipping, sliding, either way.
@@ -220,10 +220,10 @@ TEST(AnyNumber, CarriesEveryTire) {
     EXPECT_EQ(met.size(), std::variant_size_v<Tire<double>>) << "no vehicle here has some tire of the list";
 }
 
-// One car on its roof, the other above the road: the lane in the air must not feel that its neighbor is down.
+// One car on its roof, the other above the road: the lane in the air must not be affected by its neighbor.
 TEST(AnyNumber, CarriesTheHull) {
     const auto contact = []<class T>(const Vehicle<T>& vehicle, const T& height) {
-        const RoadPlane<T> road{Vec3<T>(T(0.1), T(0.2), T(-0.97)), -height, T(0.9)};
+        const TangentPlane<T> road{Vec3<T>(T(0.1), T(0.2), T(-0.97)), -height, T(0.9)};
         const auto found = vehicle.hull.contact(road, Spatial<T>::Constant(T(0.7)));
         Answers<T> answers;
         answers.add(found.wrench), answers.add(found.lost_power);
@@ -237,7 +237,7 @@ TEST(AnyNumber, CarriesTheHull) {
             const auto lanes = pair.run({here}, {there});
             const auto first = contact(one, here), second = contact(other, there);
             expect_same(lanes[0], first, "first"), expect_same(lanes[1], second, "second");
-            EXPECT_TRUE(first[0] != 0 || second[0] != 0) << "somebody must be down";
+            EXPECT_TRUE(first[0] != 0 || second[0] != 0) << "one car must touch the road";
         }
     }
 }

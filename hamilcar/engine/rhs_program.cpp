@@ -1,0 +1,129 @@
+#include "hamilcar/engine/rhs_program.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <list>
+#include <mutex>
+#include <stdexcept>
+
+#include "hamilcar/program/pass.hpp"
+#include "hamilcar/road/traced_ground.hpp"
+
+namespace hamilcar {
+
+namespace {
+
+// Everything that a program depends on.
+struct Key {
+    const Engine* engine;
+    Precision precision;
+    bool car_in_each_lane;
+    std::vector<int> shape;
+    std::vector<std::uint64_t> numbers;  // the bits of constants; 0 for a parameter
+    std::vector<bool> differs;
+    bool operator==(const Key&) const = default;
+};
+
+Key key_of(const ModelNumbers& model, const CommonCar& common, const Engine& engine, Precision precision,
+           bool car_in_each_lane) {
+    Key key{&engine, precision, car_in_each_lane, model.shape, {}, common.differs};
+    for (std::size_t i = 0; i < model.numbers.size(); ++i) {
+        const bool constant = common.differs.empty() || !common.differs[i];
+        key.numbers.push_back(constant ? std::bit_cast<std::uint64_t>(model.numbers[i]) : 0);
+    }
+    return key;
+}
+
+// The most recently used programs, newest first. One takes some 100 kB; maneuvers and sweeps return to few vehicles.
+class Cache {
+public:
+    template <class Make>
+    std::shared_ptr<const RhsProgram> find_or_make(Key key, const Make& make) {
+        if (auto found = find(key)) return found;
+        std::shared_ptr<const RhsProgram> made = make();  // not locked, so that other threads can continue
+        const std::lock_guard lock(mutex_);
+        entries_.emplace_front(std::move(key), made);
+        if (entries_.size() > max_entries) entries_.pop_back();
+        return made;
+    }
+
+private:
+    static constexpr std::size_t max_entries = 32;
+
+    std::shared_ptr<const RhsProgram> find(const Key& key) {
+        const std::lock_guard lock(mutex_);
+        const auto found =
+            std::ranges::find(entries_, key, [](const auto& entry) -> const Key& { return entry.first; });
+        if (found == entries_.end()) return nullptr;
+        entries_.splice(entries_.begin(), entries_, found);
+        return found->second;
+    }
+
+    std::mutex mutex_;
+    std::list<std::pair<Key, std::shared_ptr<const RhsProgram>>> entries_;
+};
+
+Cache& cache() {
+    static Cache one;
+    return one;
+}
+
+std::shared_ptr<const RhsProgram> make_program(const Model<double>& model, const CommonCar& common,
+                                               const Engine& engine, Precision precision, bool car_in_each_lane) {
+    RhsTrace trace = trace_rhs(model, common, precision);
+    program::Graph graph = program::without_dead_code(trace.graph);
+    if (car_in_each_lane) graph = program::in_single_numbers(graph);
+    auto made = std::make_shared<RhsProgram>();
+    try {
+        made->executable = engine.compile(graph, car_in_each_lane);
+    } catch (const std::runtime_error&) {  // no more executable memory: slower, with the same bits
+        made->executable = program::backends().back().compile(graph, car_in_each_lane);
+    }
+    made->correction_indices = std::move(trace.correction_indices);
+    made->parameters = std::move(trace.parameters);
+    made->state_size = model.vehicle.state_size;
+    made->chart = model.chart;
+    return made;
+}
+
+}  // namespace
+
+RhsTrace rhs_trace_without_dead_code(const Model<double>& model) {
+    RhsTrace trace = trace_rhs(model, {}, Precision::double_precision);
+    trace.graph = program::without_dead_code(trace.graph);
+    return trace;
+}
+
+std::shared_ptr<const RhsProgram> rhs_program(const Model<double>& model, const Engine& engine) {
+    constexpr Precision precision = Precision::double_precision;
+    return cache().find_or_make(key_of(numbers_of(model), {}, engine, precision, false),
+                                [&] { return make_program(model, CommonCar{}, engine, precision, false); });
+}
+
+std::shared_ptr<const RhsProgram> rhs_program(std::span<const Model<double>* const> cars, const Engine& engine,
+                                              Precision precision) {
+    ModelNumbers all = numbers_of(*cars[0]);
+    CommonCar common{std::vector<bool>(all.numbers.size()), {}};
+    Model<double> example = *cars[0];
+    for (const Model<double>* car : cars) {
+        const ModelNumbers own = numbers_of(*car);
+        for (std::size_t i = 0; i < own.numbers.size(); ++i) {
+            const bool same =
+                std::bit_cast<std::uint64_t>(own.numbers[i]) == std::bit_cast<std::uint64_t>(all.numbers[i]);
+            common.differs[i] = common.differs[i] || !same;
+        }
+        for (std::size_t i = 0; i < own.shape.size(); ++i) all.shape[i] = std::max(all.shape[i], own.shape[i]);
+        if (car->surface) example.surface = car->surface;
+    }
+    common.shape = all.shape;
+    return cache().find_or_make(key_of(all, common, engine, precision, true),
+                                [&] { return make_program(example, common, engine, precision, true); });
+}
+
+const program::CallFunction* rhs_functions(Precision precision) {
+    static constexpr program::CallFunction in_doubles[] = {look_up_ground<double>};
+    static constexpr program::CallFunction in_singles[] = {look_up_ground<float>};
+    return precision == Precision::double_precision ? in_doubles : in_singles;
+}
+
+}  // namespace hamilcar

@@ -1,0 +1,38 @@
+// A vehicle's right-hand side as a compiled program: recorded, freed of dead code, compiled. Made when a run starts, and cached
+// for the next run of the same vehicle.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "hamilcar/engine/engines.hpp"
+#include "hamilcar/engine/rhs_trace.hpp"
+
+namespace hamilcar {
+
+struct RhsProgram {
+    std::unique_ptr<const program::Executable> executable;
+    std::vector<int> correction_indices;  // as in RhsTrace
+    std::vector<int> parameters;
+    int state_size = 0;
+    ChassisChart chart{};
+
+    int report_size() const { return RhsReport::correction + static_cast<int>(correction_indices.size()); }
+    void run(const program::Frame& frame) const { executable->run(frame); }
+};
+
+// The graph of one vehicle, as it is passed to a backend.
+RhsTrace rhs_trace_without_dead_code(const Model<double>& model);
+
+// For one car at a time, with all its numbers as constants.
+std::shared_ptr<const RhsProgram> rhs_program(const Model<double>& model, const Engine& engine);
+
+// For a car in each lane, each with its own numbers; `cars` have one structure.
+std::shared_ptr<const RhsProgram> rhs_program(std::span<const Model<double>* const> cars, const Engine& engine,
+                                              Precision precision);
+
+// The functions that programs of this precision call.
+const program::CallFunction* rhs_functions(Precision precision);
+
+}  // namespace hamilcar

@@ -1,0 +1,45 @@
+#include "hamilcar/engine/rhs_trace.hpp"
+
+namespace hamilcar {
+
+void record_rhs_in_doubles(const Model<double>& model, const CommonCar& common, RhsTrace& to);
+void record_rhs_in_singles(const Model<double>& model, const CommonCar& common, RhsTrace& to);
+
+namespace {
+
+struct Collect {
+    ModelNumbers& to;
+    double number(double value) {
+        to.numbers.push_back(value);
+        return value;
+    }
+    int whole(int value) {
+        to.shape.push_back(value);
+        return value;
+    }
+};
+
+}  // namespace
+
+ModelNumbers numbers_of(const Model<double>& model) {
+    ModelNumbers out;
+    Model<double> copy;
+    transcribe_model(copy, model, Collect{out});
+    for (const int mode : {static_cast<int>(model.chart), static_cast<int>(model.constraints),
+                           static_cast<int>(model.energy_balance), static_cast<int>(model.surface != nullptr)}) {
+        out.shape.push_back(mode);
+    }
+    return out;
+}
+
+RhsTrace trace_rhs(const Model<double>& model, const CommonCar& common, program::Precision precision) {
+    RhsTrace out{.graph = program::Graph(precision), .correction_indices = {}, .parameters = {}};
+    if (precision == program::Precision::single_precision) {
+        record_rhs_in_singles(model, common, out);
+    } else {
+        record_rhs_in_doubles(model, common, out);
+    }
+    return out;
+}
+
+}  // namespace hamilcar
