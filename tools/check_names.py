@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Fails on a class or an inline function of one qualified name that two files define: the linker would merge them in silence.
+Fails also on words that were retired for standard ones (docs/glossary.md), in names and in prose.
 
 Reads clang-formatted sources, where a namespace's contents are not indented; anonymous namespaces are left out.
 """
@@ -13,6 +14,21 @@ NAMESPACE = re.compile(r"^(?:inline )?namespace ?([\w:]*) ?\{$")
 NAMESPACE_END = re.compile(r"^\}  // namespace")
 CLASS = re.compile(r"^(?:template <.*> )?(?:struct|class|union|enum class|enum) (\w+)(?: final)?(?: : [^;()]*)? \{")
 FUNCTION = re.compile(r"^inline [^=]*?(\w+)(\([^{;]*\)) (?:const )?(?:noexcept )?\{")
+
+# Retired words and what to write instead. A name counts word by word, `SpokeSize` and `spoke_size` as "spoke size".
+RETIRED = {
+    r"abreast": "side by side",
+    r"flush tiny numbers": "FlushDenormals",
+    r"garage": "catalog",
+    r"guests?": "client",
+    r"lobby|(wake up )?bell(?! crank)": "connections, wake-up",
+    r"senses": "observation",
+    r"spokes?": "suspension",
+    r"turns? of the ring|turn ring|ring turn": "right-hand side",
+    r"workshop": "background worker",
+}
+RETIRED_ANY = re.compile("|".join(rf"(?P<w{i}>\b(?:{words})\b)" for i, words in enumerate(RETIRED)))
+WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])|\d+")
 
 
 def definitions(path):
@@ -31,6 +47,23 @@ def definitions(path):
                 yield f"{inside}::{found[1]}{found[2]}", number
 
 
+def retired_words(path):
+    """Yields (word, replacement, line) of a source or a page."""
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        words = " ".join(WORD.findall(line))
+        for found in RETIRED_ANY.finditer(words.lower()):
+            yield found[0], list(RETIRED.values())[int(found.lastgroup[1:])], number
+
+
+def texts(root):
+    """Sources, tests and pages; the change log quotes old names."""
+    for folder in ("hamilcar", "cli", "tests"):
+        yield from sorted((root / folder).rglob("*.[hc]pp"))
+    yield from sorted(path for path in root.glob("*.md") if path.name != "CHANGELOG.md")
+    yield from sorted((root / "docs").rglob("*.md"))
+    yield root / "benchmarks" / "README.md"
+
+
 def main():
     root = pathlib.Path(__file__).resolve().parent.parent
     places = collections.defaultdict(list)
@@ -42,6 +75,10 @@ def main():
     for name, found in places.items():
         if len({path for path, _ in found}) > 1:
             print(f"{name} is defined in " + ", ".join(f"{path}:{line}" for path, line in found), file=sys.stderr)
+            bad = 1
+    for path in texts(root):
+        for word, instead, line in retired_words(path):
+            print(f"{path.relative_to(root)}:{line}: retired word '{word}', write: {instead}", file=sys.stderr)
             bad = 1
     return bad
 

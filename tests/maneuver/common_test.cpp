@@ -10,7 +10,7 @@ namespace {
 
 constexpr double truck_tire = 0.279;  // width of an 11 R 22.5 [m]
 
-TEST(Footprint, BothOfTwoTiresAbreastCount) {
+TEST(Footprint, BothDualTiresCount) {
     const VehicleDescription truck = test::shipped("truck_semitrailer");
     const double spread = 72 * 0.0254, spacing = 0.335;  // of the rear axles: between the pairs' middles, within a pair
     EXPECT_NEAR(footprint(truck).width(), spread + spacing + truck_tire, 0.02);
