@@ -1,4 +1,4 @@
-// The shipped car beside the same car in Simbody and MuJoCo: first what a step costs, in one race on one core; then work
+// The shipped car beside the same car in Simbody and MuJoCo: first what a step costs, in one interleave on one core; then work
 // against precision over a 15 s double lane change. With --json the same as one JSON object.
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "hamilcar/batch/batch.hpp"
 #include "hamilcar/bench/accuracy.hpp"
 #include "hamilcar/bench/engine_car.hpp"
-#include "hamilcar/bench/race.hpp"
+#include "hamilcar/bench/interleave.hpp"
 #include "hamilcar/bench/scenes.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "oracle/hand_over.hpp"
@@ -23,13 +23,13 @@ constexpr double turn = 0.02;  // [s]
 constexpr int rounds = 25;
 constexpr oracle::Inputs in_the_bend{.rack = 0.003, .drive_torque = 250};
 
-Contestant stepping(const Engine& own, const Simulation& start) {
+BenchmarkCase stepping(const Engine& own, const Simulation& start) {
     const auto car = std::make_shared<EngineCar>(own, start);
     return {fmt::format("one car, {}", own.name), [car](long steps) { car->advance(steps); }};
 }
 
 // The same as a user runs it, by the best engine: with the checks after each step and the last good state kept.
-Contestant running(const Simulation& start) {
+BenchmarkCase running(const Simulation& start) {
     const auto simulation = std::make_shared<Simulation>(start);
     return {"one car, a run's step", [simulation](long steps) {
                 for (long i = 0; i < steps; ++i) simulation->advance();
@@ -37,7 +37,7 @@ Contestant running(const Simulation& start) {
 }
 
 // Cars of a batch on one thread; an item is one step of all.
-Contestant stepping_many(std::string_view set, Precision precision, const std::vector<const Simulation*>& cars) {
+BenchmarkCase stepping_many(std::string_view set, Precision precision, const std::vector<const Simulation*>& cars) {
     const auto batch =
         std::make_shared<Batch>(cars, BatchOptions{.threads = 1, .precision = precision, .engine = std::string(set)});
     return {fmt::format("batch, {}, {}", set, precision == Precision::double_precision ? "double" : "single"),
@@ -45,15 +45,15 @@ Contestant stepping_many(std::string_view set, Precision precision, const std::v
 }
 
 // One evaluation of accelerations, which every method needs at least once a step.
-Contestant simbody(const VehicleDescription& vehicle, oracle::SpindleModel model, std::string name) {
+BenchmarkCase simbody(const VehicleDescription& vehicle, oracle::SpindleModel model, std::string name) {
     const auto car = std::make_shared<oracle::SimbodyCar>(vehicle, oracle::Road{}, model);
     return {std::move(name), [car](long times) {
                 for (long i = 0; i < times; ++i) car->evaluate_accelerations_once(in_the_bend);
             }};
 }
 
-Contestant mujoco(const VehicleDescription& vehicle, oracle::MujocoIntegrator integrator, std::string name,
-                  const Simulation& start) {
+BenchmarkCase mujoco(const VehicleDescription& vehicle, oracle::MujocoIntegrator integrator, std::string name,
+                     const Simulation& start) {
     const auto loops = oracle::MujocoLoops::stiffest(integrator, 1e-3);
     const auto car =
         std::make_shared<oracle::MujocoCar>(vehicle, oracle::Road{}, oracle::MujocoOptions{integrator, 1e-3, loops});
@@ -69,27 +69,27 @@ nlohmann::json race_of_steps(const VehicleDescription& vehicle) {
     std::vector<const Simulation*> cars;
     for (const auto& simulation : simulations) cars.push_back(simulation.get());
 
-    std::vector<Contestant> contestants{
+    std::vector<BenchmarkCase> cases{
         simbody(vehicle, oracle::SpindleModel::strut, "Simbody, one evaluation"),
         simbody(vehicle, oracle::SpindleModel::strut_one_constraint, "Simbody, the same with one constraint"),
         mujoco(vehicle, oracle::MujocoIntegrator::euler, "MuJoCo, a 1 ms step of Euler", start),
         mujoco(vehicle, oracle::MujocoIntegrator::rk4, "MuJoCo, a 1 ms step of RK4", start)};
-    contestants.push_back(running(start));
-    std::vector<double> cars_of(contestants.size(), 1);
+    cases.push_back(running(start));
+    std::vector<double> cars_of(cases.size(), 1);
     for (const Engine* own : engines()) {
-        contestants.push_back(stepping(*own, start));
+        cases.push_back(stepping(*own, start));
         cars_of.push_back(1);
     }
     for (const Engine* own : engines()) {
         for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
-            contestants.push_back(stepping_many(own->name, precision, cars));
+            cases.push_back(stepping_many(own->name, precision, cars));
             cars_of.push_back(static_cast<double>(cars.size()));
         }
     }
-    const RaceResult result = race(contestants, turn, rounds);
+    const InterleavedTimes result = interleave(cases, turn, rounds);
     nlohmann::json rows;
-    for (std::size_t i = 0; i < contestants.size(); ++i) {
-        rows.push_back({{"name", contestants[i].name},
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        rows.push_back({{"name", cases[i].name},
                         {"time_ns", 1e9 * result.time(i) / cars_of[i]},
                         {"simbody_evaluations", result.ratio(0, i) * cars_of[i]},
                         {"mujoco_euler_steps", result.ratio(2, i) * cars_of[i]}});
@@ -159,7 +159,7 @@ nlohmann::json peers_precision(const VehicleDescription& vehicle, const Scenario
 nlohmann::json own_precision(const VehicleDescription& vehicle, const ScenarioDescription& scenario,
                              const Trace& reference) {
     nlohmann::json rows;
-    for (const AccuracyTrial& trial : usual_trials()) {
+    for (const AccuracyTrial& trial : default_trials()) {
         const TrialResult r = run_trial(vehicle, scenario, trial, reference, 3);
         const bool exact = trial.constraints == ConstraintMode::exact;
         const std::string tolerance = trial.integrator == "dopri5" ? fmt::format(" {:.0e}", trial.tolerance) : "";
@@ -175,7 +175,7 @@ nlohmann::json own_precision(const VehicleDescription& vehicle, const ScenarioDe
 
 void print(const nlohmann::json& facts) {
     fmt::print("{:<42}{:>12}{:>22}{:>22}\n", "a step, per car", "", "Simbody evaluations", "MuJoCo Euler steps");
-    for (const auto& row : facts["race"]) {
+    for (const auto& row : facts["interleave"]) {
         fmt::print("{:<42}{:>9.0f} ns{:>20.1f} x{:>20.1f} x\n", row["name"].get<std::string>(),
                    row["time_ns"].get<double>(), row["simbody_evaluations"].get<double>(),
                    row["mujoco_euler_steps"].get<double>());
@@ -196,7 +196,7 @@ void print(const nlohmann::json& facts) {
 int main(int argc, char** argv) {
     const VehicleDescription vehicle = io::read_vehicle(HAMILCAR_SOURCE_DIR "/vehicles/bmw_323i_paper.toml");
     nlohmann::json facts;
-    facts["race"] = race_of_steps(vehicle);
+    facts["interleave"] = race_of_steps(vehicle);
     const ScenarioDescription scenario = lane_change();
     const Trace reference = reference_path(vehicle, scenario);
     facts["work_precision"] = own_precision(vehicle, scenario, reference);

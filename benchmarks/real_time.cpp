@@ -2,24 +2,24 @@
 // steps must take no longer than a moving car's, though everything in it decays toward zero.
 #include <fmt/format.h>
 
-#include "hamilcar/bench/race.hpp"
+#include "hamilcar/bench/interleave.hpp"
 #include "hamilcar/bench/scenes.hpp"
-#include "hamilcar/bench/steadiness.hpp"
+#include "hamilcar/bench/step_jitter.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 
 int main() {
     using namespace hamilcar;
     const VehicleDescription vehicle = io::read_vehicle(HAMILCAR_SOURCE_DIR "/vehicles/bmw_323i_paper.toml");
     Simulation driving = cornering(vehicle, bend());
-    const Steadiness s = steadiness(driving, 10'000'000);
+    const StepJitter s = step_jitter(driving, 10'000'000);
     fmt::print("10 million steps: median {:.0f} ns (the clock's reading of {:.0f} ns included); one in 10 000 takes\n",
                1e9 * s.median, 1e9 * s.clock);
-    fmt::print("  by its own doing     more than {:6.0f} ns, {:5.2f} times the median\n", 1e9 * s.late_by_itself,
-               s.late_by_itself / s.median);
+    fmt::print("  by its own doing     more than {:6.0f} ns, {:5.2f} times the median\n", 1e9 * s.late_alone,
+               s.late_alone / s.median);
     fmt::print("  with interruptions   more than {:6.0f} ns, {:5.2f} times the median\n", 1e9 * s.late,
                s.late / s.median);
-    fmt::print("  a loop that only waits as long: more than {:6.0f} ns, {:5.2f} times\n", 1e9 * s.late_of_nothing,
-               s.late_of_nothing / s.median);
+    fmt::print("  a loop that only waits as long: more than {:6.0f} ns, {:5.2f} times\n", 1e9 * s.late_idle,
+               s.late_idle / s.median);
 
     ScenarioDescription rest;
     rest.name = "rest";
@@ -32,7 +32,8 @@ int main() {
             for (long i = 0; i < steps; ++i) simulation.advance();
         };
     };
-    const RaceResult result = race({{"standing", advance(standing)}, {"driving", advance(driving)}}, 0.02, 25);
+    const InterleavedTimes result =
+        interleave({{"standing", advance(standing)}, {"driving", advance(driving)}}, 0.02, 25);
     fmt::print("after an hour at rest: a step takes {:.0f} ns, {:.2f} times that of a moving car\n",
                1e9 * result.time(0), result.ratio(0, 1));
 }

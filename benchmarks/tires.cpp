@@ -6,7 +6,7 @@
 
 #include "hamilcar/batch/batch.hpp"
 #include "hamilcar/bench/engine_car.hpp"
-#include "hamilcar/bench/race.hpp"
+#include "hamilcar/bench/interleave.hpp"
 #include "hamilcar/bench/scenes.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 
@@ -21,7 +21,7 @@ VehicleDescription car(const char* name) {
     return io::read_vehicle(fmt::format("{}/vehicles/{}.toml", HAMILCAR_SOURCE_DIR, name));
 }
 
-void print(std::string_view engine, const char* what, const RaceResult& result) {
+void print(std::string_view engine, const char* what, const InterleavedTimes& result) {
     fmt::print("  {:<10}{:<26}{:>8.0f} ns{:>8.0f} ns{:>7.2f}", engine, what, 1e9 * result.time(0), 1e9 * result.time(1),
                result.ratio(1, 0));
     fmt::print("{:>9.0f} ns{:>7.2f}\n", 1e9 * result.time(2), result.ratio(2, 1));
@@ -34,9 +34,9 @@ void one_car(const std::vector<Simulation>& simulations) {
             for (const Simulation& simulation : simulations) {
                 cars.emplace_back(*engine, simulation, balance);
             }
-            std::vector<Contestant> contestants;
-            for (EngineCar& one : cars) contestants.push_back({"", [&one](long steps) { one.advance(steps); }});
-            print(engine->name, balance ? "one car, with balance" : "one car", race(contestants, turn, rounds));
+            std::vector<BenchmarkCase> cases;
+            for (EngineCar& one : cars) cases.push_back({"", [&one](long steps) { one.advance(steps); }});
+            print(engine->name, balance ? "one car, with balance" : "one car", interleave(cases, turn, rounds));
         }
     }
 }
@@ -51,14 +51,14 @@ void batches(const std::vector<Simulation>& simulations) {
                     std::vector<const Simulation*>(2 * lanes, &simulation),
                     BatchOptions{.threads = 1, .precision = precision, .engine = std::string(engine->name)});
             }
-            std::vector<Contestant> contestants;
+            std::vector<BenchmarkCase> cases;
             for (Batch& batch : all) {
-                contestants.push_back({"", [&batch, lanes](long car_steps) {
-                                           batch.advance(std::max<long>(1, car_steps / static_cast<long>(2 * lanes)));
-                                       }});
+                cases.push_back({"", [&batch, lanes](long car_steps) {
+                                     batch.advance(std::max<long>(1, car_steps / static_cast<long>(2 * lanes)));
+                                 }});
             }
             print(engine->name, precision == Precision::double_precision ? "batch, double" : "batch, single",
-                  race(contestants, turn, rounds));
+                  interleave(cases, turn, rounds));
         }
     }
 }

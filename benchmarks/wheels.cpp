@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "hamilcar/bench/race.hpp"
+#include "hamilcar/bench/interleave.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/run/simulation.hpp"
 
@@ -104,13 +104,13 @@ void measure(const char* name, const std::vector<int>& wheels, const std::functi
     scenario.initial.velocity = {10, 0, 0};
     std::vector<Simulation> simulations;
     for (const int count : wheels) simulations.emplace_back(vehicle(count), scenario);
-    std::vector<Contestant> contestants;
+    std::vector<BenchmarkCase> cases;
     for (Simulation& simulation : simulations) {
-        contestants.push_back({"", [&simulation](long steps) {
-                                   for (long i = 0; i < steps; ++i) simulation.advance();
-                               }});
+        cases.push_back({"", [&simulation](long steps) {
+                             for (long i = 0; i < steps; ++i) simulation.advance();
+                         }});
     }
-    const RaceResult result = race(contestants, 0.01, 15);
+    const InterleavedTimes result = interleave(cases, 0.01, 15);
     std::vector<double> x, y;
     fmt::print("{}\n  {:>6}  {:>10}  {:>14}\n", name, "wheels", "a step", "per wheel");
     for (std::size_t i = 0; i < wheels.size(); ++i) {

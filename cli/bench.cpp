@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "files.hpp"
 #include "hamilcar/bench/bench.hpp"
 #include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
@@ -13,6 +14,12 @@
 namespace hamilcar::cli {
 
 namespace {
+
+struct BenchOptions {
+    std::string vehicle;
+    double seconds = 20;
+    bool json = false;
+};
 
 std::string_view name(Precision precision) {
     return precision == Precision::double_precision ? "double" : "single";
@@ -66,12 +73,12 @@ nlohmann::json json_of(const BenchReport& report) {
         {"batch", batches},
         {"description_to_first_step_ms", 1e3 * report.ready},
         {"snapshot_save_and_restore_ns", 1e9 * report.snapshot},
-        {"steadiness",
-         {{"median_ns", 1e9 * report.steadiness.median},
-          {"slowest_in_10000_ns", 1e9 * report.steadiness.late},
-          {"slowest_in_10000_by_itself_ns", 1e9 * report.steadiness.late_by_itself},
-          {"slowest_in_10000_of_nothing_ns", 1e9 * report.steadiness.late_of_nothing},
-          {"clock_ns", 1e9 * report.steadiness.clock}}},
+        {"step_jitter",
+         {{"median_ns", 1e9 * report.step_jitter.median},
+          {"slowest_in_10000_ns", 1e9 * report.step_jitter.late},
+          {"slowest_in_10000_alone_ns", 1e9 * report.step_jitter.late_alone},
+          {"slowest_in_10000_idle_ns", 1e9 * report.step_jitter.late_idle},
+          {"clock_ns", 1e9 * report.step_jitter.clock}}},
         {"work_precision_duration_s", report.trial_duration},
         {"work_precision", trials}};
 }
@@ -115,19 +122,16 @@ void print_report(const BenchReport& report) {
     print_batches(report);
     fmt::print("\nReady: from a vehicle's description to its first step in {:.1f} ms\n", 1e3 * report.ready);
     fmt::print("Snapshot: saved and restored in {:.0f} ns\n", 1e9 * report.snapshot);
-    const Steadiness& s = report.steadiness;
+    const StepJitter& s = report.step_jitter;
     fmt::print(
-        "Steadiness: a step takes {:.0f} ns; one in 10 000 more than {:.1f} times that by its own doing, "
+        "Step jitter: a step takes {:.0f} ns; one in 10 000 more than {:.1f} times that by its own doing, "
         "{:.1f} times with what interrupts it (a loop of nothing: {:.1f} times)\n",
-        1e9 * s.median, s.late_by_itself / s.median, s.late / s.median, s.late_of_nothing / s.median);
+        1e9 * s.median, s.late_alone / s.median, s.late / s.median, s.late_idle / s.median);
     print_trials(report);
 }
 
-}  // namespace
-
-io::ExitCode bench(const Options& options) {
-    const VehicleDescription vehicle =
-        io::read_vehicle(options.file.empty() ? shipped_file("vehicles/bmw_323i.toml") : options.file);
+io::ExitCode bench(const BenchOptions& options) {
+    const VehicleDescription vehicle = io::read_vehicle(vehicle_or_shipped(options.vehicle));
     const bool terminal = isatty(STDERR_FILENO) != 0;
     const BenchReport report = hamilcar::bench(vehicle, options.seconds, [&](const std::string& part) {
         if (terminal) fmt::print(stderr, "\r\033[K{} ...", part);
@@ -139,6 +143,16 @@ io::ExitCode bench(const Options& options) {
         print_report(report);
     }
     return io::ExitCode::ok;
+}
+
+}  // namespace
+
+void add_bench(CommandList& list) {
+    auto [command, o] =
+        list.add<BenchOptions>("bench", "measure how fast this machine steps a car, alone and in batches", bench);
+    command.add("vehicle", o.vehicle, "another vehicle file than the shipped car's");
+    command.add("--seconds", o.seconds, {0.1, 3600, "s"}, "about how long to measure");
+    command.add_json(o.json);
 }
 
 }  // namespace hamilcar::cli

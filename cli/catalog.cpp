@@ -6,7 +6,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "commands.hpp"
+#include "files.hpp"
+#include "hamilcar/io/scenario_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/maneuver/maneuver.hpp"
 
@@ -30,7 +31,7 @@ std::vector<std::string> files_in(const std::string& folder, const std::string& 
 
 // A file that cannot be read is reported and left out; the others remain available.
 template <class Read>
-void add_choices(const std::vector<std::string>& files, const Read& name_of, std::vector<live::Choice>& choices) {
+void add_choices(const std::vector<std::string>& files, const Read& name_of, std::vector<live::Selectable>& choices) {
     for (const std::string& file : files) {
         try {
             choices.push_back({file, name_of(file)});
@@ -51,12 +52,12 @@ Course default_course(const Maneuver& maneuver, const VehicleDescription& vehicl
 }
 
 // Adds the maneuvers whose courses have cones, boundaries or a line; `vehicle` must support all maneuvers.
-void add_courses(const VehicleDescription& vehicle, std::vector<live::Choice>& roads) {
+void add_courses(const VehicleDescription& vehicle, std::vector<live::Selectable>& roads) {
     for (const Maneuver& maneuver : maneuvers()) {
         const Course course = default_course(maneuver, vehicle);
         if (course.cones.empty() && course.boundaries.empty() && course.line.empty()) continue;
         const std::string standard = maneuver.standard.empty() ? "" : " (" + maneuver.standard + ")";
-        roads.push_back({std::string(course_road) + maneuver.name, maneuver.title + standard});
+        roads.push_back({std::string(course_road) + maneuver.name, maneuver.title + standard, true});
     }
 }
 
@@ -73,7 +74,7 @@ std::optional<ScenarioDescription> level_road(const std::string& road) {
 std::optional<live::TestCourse> course_on(const std::string& road, const VehicleDescription& vehicle) {
     const Maneuver* maneuver = maneuver_of(road);
     if (!maneuver) return std::nullopt;
-    if (const std::string reason = maneuver->obstacle(vehicle); !reason.empty()) {
+    if (const std::string reason = maneuver->unsupported_reason(vehicle); !reason.empty()) {
         throw io::Error(io::ExitCode::bad_file,
                         fmt::format("{} is not available for {}: {}", maneuver->title, vehicle.name, reason));
     }
@@ -108,8 +109,8 @@ live::Catalog make_catalog(const std::string& vehicle, const std::string& scenar
     return catalog;
 }
 
-std::string choice_of(const std::vector<live::Choice>& choices, const std::string& file) {
-    for (const live::Choice& choice : choices) {
+std::string choice_of(const std::vector<live::Selectable>& choices, const std::string& file) {
+    for (const live::Selectable& choice : choices) {
         if (fs::exists(choice.id) && fs::equivalent(choice.id, file)) return choice.id;
     }
     return file;

@@ -16,6 +16,6 @@ inline constexpr const char* level_ground = "level ground";
 live::Catalog make_catalog(const std::string& vehicle, const std::string& scenario);
 
 // The id under which a file is listed, by whatever path it was named.
-std::string choice_of(const std::vector<live::Choice>& choices, const std::string& file);
+std::string choice_of(const std::vector<live::Selectable>& choices, const std::string& file);
 
 }  // namespace hamilcar::cli

@@ -1,12 +1,14 @@
 // `hamilcar check FILE`: validates, assembles, and counts.
 #include <fmt/format.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 
+#include "check_report.hpp"
 #include "commands.hpp"
-#include "hamilcar/analysis/freedom.hpp"
+#include "files.hpp"
 #include "hamilcar/io/json_text.hpp"
-#include "hamilcar/io/tir_file.hpp"
+#include "hamilcar/io/scenario_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/run/channels.hpp"
 #include "hamilcar/run/scenario_checks.hpp"
@@ -16,6 +18,11 @@ namespace hamilcar::cli {
 
 namespace {
 
+struct CheckOptions {
+    std::string file, output;
+    bool json = false, structure = false, strict = false;
+};
+
 ScenarioDescription standing_still(const std::string& vehicle_path) {
     ScenarioDescription scenario;
     scenario.name = "check";
@@ -24,9 +31,8 @@ ScenarioDescription standing_still(const std::string& vehicle_path) {
     return scenario;
 }
 
-// Loads of a suspension's wheels on the road, wheel by wheel [N].
-nlohmann::json loads(const Sample& sample, std::size_t number) {
-    nlohmann::json out = nlohmann::json::array();
+std::vector<double> static_load(const Sample& sample, std::size_t number) {
+    std::vector<double> out;
     const Suspension<double>& suspension = sample.model.vehicle.suspensions[number];
     for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
         double load = 0;
@@ -38,133 +44,89 @@ nlohmann::json loads(const Sample& sample, std::size_t number) {
     return out;
 }
 
-// The paper's way of counting, which has one body a suspension; null for a vehicle of other shape.
-nlohmann::json table_2(const Structure& counted) {
+std::optional<Table2> table_2(const Structure& counted) {
     if (counted.bodies != 1 + static_cast<int>(counted.suspensions.size()) || counted.hitch_freedoms > 0)
-        return nullptr;
-    int constraints = 0;
-    nlohmann::json rows = nlohmann::json::array();
-    for (const ConstraintRow& row : paper_table_2(counted, false)) {
-        rows.push_back({{"what", row.what}, {"constraints", row.constraints}});
-        constraints += row.constraints;
-    }
-    return {{"coordinates", 7 * counted.bodies}, {"constraints", constraints}, {"rows", rows}};
+        return std::nullopt;
+    Table2 table{.rows = paper_table_2(counted, false), .coordinates = 7 * counted.bodies};
+    for (const ConstraintRow& row : table.rows) table.constraints += row.constraints;
+    return table;
 }
 
-// What the vehicle's tire files leave open, each file's once.
-nlohmann::json tire_notes(const VehicleDescription& vehicle) {
-    nlohmann::json notes = nlohmann::json::array();
-    for (const std::string& file : tire_files(vehicle)) {
-        for (const std::string& note : io::read_tir(file).notes) notes.push_back(note);
-    }
-    return notes;
+// How it stands by itself on a flat road, whatever a scenario has it do.
+void add_figures(const VehicleDescription& vehicle, CheckReport& out) {
+    const Linearizer linearizer(vehicle);
+    const OperatingPoint rest = linearizer.operating_point({});
+    if (!rest.found) throw io::Error(io::ExitCode::numerical, fmt::format("{}: {}", out.file, rest.problem));
+    const std::vector<AxleReport> axles = kinematics(vehicle, {.steps = 8});
+    out.figures = vehicle_figures(linearizer, rest, axles);
+    const std::vector<Oddity> more = odd_figures(vehicle, out.figures, axles);
+    out.oddities.insert(out.oddities.end(), more.begin(), more.end());
 }
 
-// `recorded`: the vehicle whose channels are told.
-nlohmann::json describe(const Simulation& simulation, const VehicleDescription& recorded, const std::string& file) {
+// `recorded`: the vehicle whose channels are listed.
+CheckReport inspect(const Simulation& simulation, const VehicleDescription& recorded, const std::string& file) {
     const Structure counted = structure(simulation.model().vehicle, simulation.vehicle());
     const Sample sample = simulation.sample();
-    nlohmann::json suspensions = nlohmann::json::array();
+    CheckReport out{.file = file,
+                    .vehicle = simulation.vehicle().name,
+                    .figures = {},
+                    .oddities = odd_geometry(simulation.vehicle()),
+                    .counted = counted,
+                    .suspensions = {},
+                    .table_2 = table_2(counted),
+                    .notes = {},
+                    .channels = {}};
+    add_figures(simulation.vehicle(), out);
     for (std::size_t i = 0; i < counted.suspensions.size(); ++i) {
-        const SuspensionStructure& suspension = counted.suspensions[i];
-        const LoopReport loop =
-            inspect_loops(simulation.model(), sample.input.rack, simulation.state(), static_cast<int>(i));
-        suspensions.push_back({{"name", suspension.name},
-                               {"suspension", suspension.suspension},
-                               {"tree_joints", suspension.joints},
-                               {"cut_joints", suspension.cuts},
-                               {"independent", suspension.independent},
-                               {"dependent", suspension.dependent},
-                               {"cut_equations", suspension.cut_equations},
-                               {"opening_m", loop.violation},
-                               {"mobility", loop.mobility},
-                               {"static_load_N", loads(sample, i)}});
+        out.suspensions.push_back(
+            {counted.suspensions[i],
+             inspect_loops(simulation.model(), sample.input.rack, simulation.state(), static_cast<int>(i)),
+             static_load(sample, i)});
     }
-    nlohmann::json channels = nlohmann::json::array();
-    for (const Channel& channel : all_channels(recorded)) {
-        channels.push_back(
-            {{"name", channel.column.name}, {"unit", channel.column.unit}, {"meaning", channel.column.description}});
+    for (const auto& [tire_file, remarks] : tire_remarks(simulation.vehicle())) {
+        out.notes.insert(out.notes.end(), remarks.begin(), remarks.end());
     }
-    return {{"file", file},
-            {"vehicle", simulation.vehicle().name},
-            {"mass_kg", simulation.model().vehicle.total_mass},
-            {"bodies", counted.bodies},
-            {"coordinates", counted.coordinates},
-            {"cut_equations", counted.cut_equations},
-            {"degrees_of_freedom", counted.degrees_of_freedom},
-            {"hitch_freedoms", counted.hitch_freedoms},
-            {"wheel_spins", counted.wheel_spins},
-            {"suspensions", suspensions},
-            {"table_2", table_2(counted)},
-            {"notes", tire_notes(simulation.vehicle())},
-            {"channels", channels}};
+    if (const auto& crg = simulation.scenario().road.crg)
+        out.notes.insert(out.notes.end(), crg->remarks.begin(), crg->remarks.end());
+    for (const Channel& channel : all_channels(recorded)) out.channels.push_back(channel.column);
+    return out;
 }
 
-std::string join(const nlohmann::json& words) {
-    std::string out;
-    for (const auto& word : words) out += (out.empty() ? "" : ", ") + word.get<std::string>();
-    return out.empty() ? "none" : out;
-}
-
-std::string report(const nlohmann::json& facts) {
-    std::string s =
-        fmt::format("{}: ok\n{}, {:.1f} kg, {} bodies\n\n", facts["file"].get<std::string>(),
-                    facts["vehicle"].get<std::string>(), facts["mass_kg"].get<double>(), facts["bodies"].get<int>());
-    for (const auto& suspension : facts["suspensions"]) {
-        std::string on_road;
-        for (const auto& load : suspension["static_load_N"]) {
-            on_road += fmt::format("{}{:.0f} N", on_road.empty() ? "" : " and ", load.get<double>());
+io::ExitCode check(const CheckOptions& options) {
+    io::Node document = io::read_toml(options.file);
+    const bool is_scenario = io::is_scenario(document);
+    const ScenarioDescription scenario = is_scenario ? io::read_scenario(document) : standing_still(options.file);
+    const VehicleDescription vehicle = is_scenario ? io::read_vehicle(scenario.vehicle) : io::read_vehicle(document);
+    if (!scenario.maneuver.name.empty()) check_maneuver(scenario, vehicle);
+    select_channels(all_channels(as_driven(vehicle, scenario)), scenario.output.channels, scenario.places);
+    // What does not even settle may have its cause here.
+    const auto odd_points = odd_geometry(vehicle);
+    const auto simulation = [&] {
+        try {
+            return std::make_unique<const Simulation>(vehicle, scenario);
+        } catch (const std::exception&) {
+            for (const Oddity& oddity : odd_points) fmt::print(stderr, "hamilcar: odd: {}\n", sentence(oddity));
+            throw;
         }
-        s += fmt::format("{} ({}), {} on the road\n", suspension["name"].get<std::string>(),
-                         suspension["suspension"].get<std::string>(), on_road);
-        s += fmt::format("  tree joints   {}\n  cut joints    {}\n", join(suspension["tree_joints"]),
-                         join(suspension["cut_joints"]));
-        s += fmt::format("  independent   {}\n  dependent     {}\n", join(suspension["independent"]),
-                         join(suspension["dependent"]));
-        if (suspension["cut_equations"].get<int>() > 0) {
-            s += fmt::format("  loops         closed within {:.1e} m, mobility {:.3f} (0 would be locked)\n",
-                             suspension["opening_m"].get<double>(), suspension["mobility"].get<double>());
-        }
-    }
-    for (const auto& note : facts["notes"]) s += fmt::format("\nnote: {}", note.get<std::string>());
-    if (!facts["notes"].empty()) s += "\n";
-    const auto& table = facts["table_2"];
-    const int hitches = facts["hitch_freedoms"].get<int>();
-    const std::string trailers = hitches > 0 ? fmt::format(", hitches {}", hitches) : "";
-    s += fmt::format("\ncoordinates q            {} (chassis 6, suspensions {}{})\n", facts["coordinates"].get<int>(),
-                     facts["coordinates"].get<int>() - 6 - hitches, trailers);
-    s += fmt::format("cut constraint equations {}\n", facts["cut_equations"].get<int>());
-    s += fmt::format("degrees of freedom       {} = 6 + {} independent suspension coordinates{} (and {} wheel spins)\n",
-                     facts["degrees_of_freedom"].get<int>(), facts["degrees_of_freedom"].get<int>() - 6 - hitches,
-                     hitches > 0 ? fmt::format(" + {} of hitches", hitches) : "", facts["wheel_spins"].get<int>());
-    if (table.is_null()) return s;
-    const int coordinates = table["coordinates"].get<int>(), constraints = table["constraints"].get<int>();
-    s += fmt::format("counted as in the paper's Table 2: {} x 7 = {} coordinates - {} constraints = {}\n",
-                     facts["bodies"].get<int>(), coordinates, constraints, coordinates - constraints);
-    s += fmt::format(
-        "  (with the steering driver among the constraints, as printed there, {}: but the driver's coordinate,\n"
-        "   the rack q17, is not among the {}; it is prescribed and removes nothing)\n",
-        coordinates - constraints - 1, coordinates);
-    return s;
+    }();
+    // A vehicle by itself stands still; others may run its power units.
+    const VehicleDescription& recorded = is_scenario ? simulation->vehicle() : vehicle;
+    const CheckReport report = inspect(*simulation, recorded, options.file);
+    print_or_write(options.output,
+                   options.json ? io::json_text(json_of(report)) + "\n" : text_of(report, options.structure));
+    return options.strict && !report.oddities.empty() ? io::ExitCode::bad_file : io::ExitCode::ok;
 }
 
 }  // namespace
 
-io::ExitCode check(const Options& options) {
-    const ScenarioDescription scenario =
-        io::is_scenario(options.file) ? io::read_scenario(options.file) : standing_still(options.file);
-    const VehicleDescription vehicle = io::read_vehicle(scenario.vehicle);
-    if (!scenario.maneuver.name.empty()) check_maneuver(scenario, vehicle, options.file);
-    in_files(options.file, scenario.vehicle,
-             [&] { return select_channels(all_channels(as_driven(vehicle, scenario)), scenario.output.channels); });
-    const Simulation simulation =
-        in_files(options.file, scenario.vehicle, [&] { return Simulation(vehicle, scenario); });
-    // A vehicle by itself stands still; others may run its power units.
-    const VehicleDescription& recorded = io::is_scenario(options.file) ? simulation.vehicle() : vehicle;
-    const nlohmann::json facts = describe(simulation, recorded, options.file);
-    const std::string text = options.json ? io::json_text(facts) + "\n" : report(facts);
-    print_or_write(options.output, text);
-    return io::ExitCode::ok;
+void add_check(CommandList& list) {
+    auto [command, o] =
+        list.add<CheckOptions>("check", "validate a vehicle or scenario file and print what it describes", check);
+    command.add("file", o.file, "vehicle or scenario file (TOML)").required();
+    command.add("-o,--output", o.output, "file for the report, instead of standard output");
+    command.add("--structure", o.structure, "joints, coordinates and degrees of freedom as well");
+    command.add("--strict", o.strict, "whatever is odd about the vehicle is a mistake (exit code 3)");
+    command.add_json(o.json);
 }
 
 }  // namespace hamilcar::cli

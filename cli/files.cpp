@@ -1,55 +1,12 @@
-// What every command needs from the operating system: folders, small files, Ctrl-C.
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <unistd.h>
+#include "files.hpp"
 
-#include <csignal>
+#include <fmt/format.h>
+
 #include <filesystem>
 
-#include "commands.hpp"
 #include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::cli {
-
-namespace {
-volatile std::sig_atomic_t interrupt_seen = 0, interrupt_watched = 0;
-extern "C" void on_interrupt(int) {
-    if (!interrupt_watched) _exit(static_cast<int>(io::ExitCode::interrupted));
-    interrupt_seen = 1;
-}
-}  // namespace
-
-bool take_standard_streams() {
-    bool output_is_open = true;
-    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-        if (::fcntl(stream, F_GETFD) != -1) continue;
-        if (stream == STDOUT_FILENO) output_is_open = false;
-        if (::open("/dev/null", O_RDWR) != stream) return false;  // the lowest number that is free
-    }
-    return output_is_open;
-}
-
-void end_on_interrupt() {
-    struct sigaction action {};
-    action.sa_handler = on_interrupt;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second Ctrl-C ends the program at once
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
-    sigaction(SIGHUP, &action, nullptr);  // the terminal is closed
-    std::signal(SIGXFSZ, SIG_IGN);        // a file beyond `ulimit -f` is like a full disk: the write says so
-}
-
-InterruptWatch::InterruptWatch() {
-    interrupt_watched = 1;
-}
-
-InterruptWatch::~InterruptWatch() {
-    interrupt_watched = 0;
-}
-
-bool interrupted() {
-    return interrupt_seen != 0;
-}
 
 std::string shipped_file(const std::string& name) {
     for (const std::string& folder :
@@ -61,10 +18,14 @@ std::string shipped_file(const std::string& name) {
                     name + ": not found here, in the source or where hamilcar is installed");
 }
 
-std::set<std::string> tire_files(const VehicleDescription& vehicle) {
-    std::set<std::string> files;
+std::string vehicle_or_shipped(const std::string& file) {
+    return file.empty() ? shipped_file("vehicles/bmw_323i.toml") : file;
+}
+
+std::map<std::string, std::vector<std::string>> tire_remarks(const VehicleDescription& vehicle) {
+    std::map<std::string, std::vector<std::string>> files;
     for_each_wheel(vehicle, [&](const auto& wheel, std::size_t) {
-        if (const auto* magic = std::get_if<MagicFormulaDescription>(&wheel.tire)) files.insert(magic->name);
+        if (const auto* magic = std::get_if<MagicFormulaDescription>(&wheel.tire)) files[magic->name] = magic->remarks;
     });
     return files;
 }
@@ -95,11 +56,11 @@ void check_output(const std::string& path) {
                     "--output: " + path + " is there and is no page: expected a new file, or .html");
 }
 
-void print_or_write(const std::string& output, const std::string& text) {
-    if (output.empty()) {
+void print_or_write(const std::string& file, const std::string& text) {
+    if (file.empty()) {
         fmt::print("{}", text);
     } else {
-        write_file(output, text);
+        write_file(file, text);
     }
 }
 

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "commands.hpp"
+#include "files.hpp"
 #include "hamilcar/analysis/kinematics.hpp"
 #include "hamilcar/analysis/no_solution.hpp"
+#include "hamilcar/base/units.hpp"
+#include "hamilcar/io/csv.hpp"
 #include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/page.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
@@ -17,7 +19,13 @@ namespace hamilcar::cli {
 
 namespace {
 
-constexpr double degree = 180 / std::numbers::pi;
+using units::degree;
+
+struct KinematicsOptions {
+    std::string vehicle, output;
+    double travel = 80;  // each way [mm]
+    bool json = false;
+};
 
 // One figure of an axle: a column of the tables.
 struct Figure {
@@ -27,7 +35,7 @@ struct Figure {
 
 std::vector<Figure> figures() {
     std::vector<Figure> out{{"travel", "mm", [](const AxleFigures& f) { return 1e3 * f.travel; }},
-                            {"roll", "deg", [](const AxleFigures& f) { return degree * f.roll; }},
+                            {"roll", "deg", [](const AxleFigures& f) { return f.roll / degree; }},
                             {"rack", "mm", [](const AxleFigures& f) { return 1e3 * f.rack; }}};
     struct Own {
         const char *name, *unit;
@@ -35,11 +43,11 @@ std::vector<Figure> figures() {
         double scale;
     };
     const Own own[] = {{"travel", "mm", &WheelFigures::travel, 1e3},
-                       {"toe_in", "deg", &WheelFigures::toe, degree},
-                       {"camber", "deg", &WheelFigures::camber, degree},
-                       {"steer", "deg", &WheelFigures::steer, degree},
-                       {"caster", "deg", &WheelFigures::caster, degree},
-                       {"kingpin_inclination", "deg", &WheelFigures::inclination, degree},
+                       {"toe_in", "deg", &WheelFigures::toe, 1 / degree},
+                       {"camber", "deg", &WheelFigures::camber, 1 / degree},
+                       {"steer", "deg", &WheelFigures::steer, 1 / degree},
+                       {"caster", "deg", &WheelFigures::caster, 1 / degree},
+                       {"kingpin_inclination", "deg", &WheelFigures::inclination, 1 / degree},
                        {"scrub_radius", "mm", &WheelFigures::scrub, 1e3},
                        {"mechanical_trail", "mm", &WheelFigures::trail, 1e3},
                        {"wheelbase_change", "mm", &WheelFigures::center_x, 1e3},
@@ -58,24 +66,21 @@ std::vector<Figure> figures() {
     }
     out.push_back({"track_change", "mm", [](const AxleFigures& f) { return 1e3 * f.track_change; }});
     out.push_back({"roll_center_height", "mm", [](const AxleFigures& f) { return 1e3 * f.roll_center; }});
-    out.push_back({"ackermann_error", "deg", [](const AxleFigures& f) { return degree * f.ackermann; }});
+    out.push_back({"roll_stiffness", "N m/deg", [](const AxleFigures& f) { return f.roll_stiffness * degree; }});
+    out.push_back({"ackermann_error", "deg", [](const AxleFigures& f) { return f.ackermann / degree; }});
     return out;
 }
 
 std::string csv(const Sweep& sweep) {
-    std::string text;
     const std::vector<Figure> all = figures();
-    for (const Figure& figure : all)
-        text += fmt::format("{}{} [{}]", text.empty() ? "" : ",", figure.name, figure.unit);
+    std::vector<std::string> headings;
+    for (const Figure& figure : all) headings.push_back(fmt::format("{} [{}]", figure.name, figure.unit));
+    io::CsvText table(headings);
     for (const AxleFigures& row : sweep.rows) {
-        text += '\n';
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            const double value = all[i].read(row);
-            text += i ? "," : "";
-            if (std::isfinite(value)) text += fmt::format("{:.7g}", value);
-        }
+        for (const Figure& figure : all) table.cell(figure.read(row), 7);
+        table.end_row();
     }
-    return text + "\n";
+    return table.text();
 }
 
 io::Chart chart(const Sweep& sweep, const std::string& title, const std::string& x_name, const std::string& x_label,
@@ -172,12 +177,12 @@ void print_report(const AxleReport& axle) {
         if (std::isfinite(value)) fmt::print("  {:<34}{:>10.{}f} {}\n", name, value, digits, unit);
     };
     fmt::print("{}\n", axle.name);
-    line("toe-in", degree * f.toe, "deg", 3), line("camber", degree * f.camber, "deg", 3);
-    line("caster", degree * f.caster, "deg", 2), line("kingpin inclination", degree * f.inclination, "deg", 2);
+    line("toe-in", f.toe / degree, "deg", 3), line("camber", f.camber / degree, "deg", 3);
+    line("caster", f.caster / degree, "deg", 2), line("kingpin inclination", f.inclination / degree, "deg", 2);
     line("scrub radius", 1e3 * f.scrub, "mm", 1), line("mechanical trail", 1e3 * f.trail, "mm", 1);
     line("roll center height", 1e3 * axle.design.roll_center, "mm", 1);
-    line("camber gain in bump", degree * gain(axle, &WheelFigures::camber), "deg/m", 2);
-    line("bump steer (toe-in)", degree * gain(axle, &WheelFigures::toe), "deg/m", 2);
+    line("camber gain in bump", gain(axle, &WheelFigures::camber) / degree, "deg/m", 2);
+    line("bump steer (toe-in)", gain(axle, &WheelFigures::toe) / degree, "deg/m", 2);
     line("spring ratio", f.spring_ratio, "", 4), line("damper ratio", f.damper_ratio, "", 4);
     line("wheel rate of the spring", 1e-3 * f.wheel_rate, "N/mm", 2);
     line("anti-dive or anti-lift, braking", axle.anti_brake, "%", 1);
@@ -187,17 +192,15 @@ void print_report(const AxleReport& axle) {
     }
 }
 
-}  // namespace
-
-io::ExitCode kinematics(const Options& options) {
-    const VehicleDescription vehicle = io::read_vehicle(options.file);
+io::ExitCode kinematics(const KinematicsOptions& options) {
+    const VehicleDescription vehicle = io::read_vehicle(options.vehicle);
     SweepRange range;
     range.travel = 1e-3 * options.travel;
     const std::vector<AxleReport> axles = [&] {
         try {
             return hamilcar::kinematics(vehicle, range);
         } catch (const NoSolution& error) {
-            throw io::Error(io::ExitCode::numerical, options.file + ": " + error.what());
+            throw io::Error(io::ExitCode::numerical, options.vehicle + ": " + error.what());
         }
     }();
     nlohmann::json all = nlohmann::json::array();
@@ -227,6 +230,17 @@ io::ExitCode kinematics(const Options& options) {
         fmt::print(stderr, "wrote kinematics.html and the tables of every axle to {}\n", options.output);
     }
     return io::ExitCode::ok;
+}
+
+}  // namespace
+
+void add_kinematics(CommandList& list) {
+    auto [command, o] =
+        list.add<KinematicsOptions>("kinematics", "move every axle through bump, roll and steer", kinematics);
+    command.add("vehicle", o.vehicle, "vehicle file (TOML)").required();
+    command.add("--travel", o.travel, {1, 1000, "mm"}, "of the wheels, each way");
+    command.add("-o,--output", o.output, "folder for tables and a page");
+    command.add_json(o.json);
 }
 
 }  // namespace hamilcar::cli

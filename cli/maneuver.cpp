@@ -4,17 +4,20 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "browser.hpp"
 #include "commands.hpp"
+#include "files.hpp"
+#include "hamilcar/base/text.hpp"
 #include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/result_file.hpp"
 #include "hamilcar/io/spelling.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/maneuver/outcome_file.hpp"
+#include "interrupt.hpp"
 #include "outcome_files.hpp"
 #include "page_run.hpp"
 #include "progress.hpp"
@@ -29,29 +32,29 @@ const Maneuver& require_maneuver(const std::string& name) {
     if (const Maneuver* maneuver = find_maneuver(name)) return *maneuver;
     std::vector<std::string_view> names;
     for (const Maneuver& maneuver : maneuvers()) names.push_back(maneuver.name);
-    const auto nearest = io::nearest_word(name, names);
+    const std::string hint = io::did_you_mean(name, names);
     throw io::Error(io::ExitCode::bad_file,
                     fmt::format("there is no maneuver '{}': expected {}{}", name, io::quoted_list(names),
-                                nearest ? fmt::format("; did you mean '{}'?", *nearest) : ""),
+                                hint.empty() ? "" : "; " + hint),
                     "maneuver.name");
 }
 
-void check_obstacle(const Maneuver& maneuver, const VehicleDescription& vehicle) {
-    const std::string obstacle = maneuver.obstacle(vehicle);
-    if (obstacle.empty()) return;
+void check_support(const Maneuver& maneuver, const VehicleDescription& vehicle) {
+    const std::string reason = maneuver.unsupported_reason(vehicle);
+    if (reason.empty()) return;
     throw io::Error(io::ExitCode::bad_file,
-                    fmt::format("{} cannot do the maneuver '{}': {}", vehicle.name, maneuver.name, obstacle),
+                    fmt::format("{} cannot do the maneuver '{}': {}", vehicle.name, maneuver.name, reason),
                     "maneuver.name");
 }
 
 // Runs `f`; an error at a key of the scenario gets the key's place in front.
 template <class F>
-auto at_place(const std::string& file, F&& f) {
+auto at_place(const ScenarioDescription& scenario, F&& f) {
     try {
         return f();
     } catch (const io::Error& error) {
         if (error.key().empty()) throw;
-        throw io::Error(error.code(), io::place_of(file, error.key()) + ": " + error.what());
+        throw io::Error(error.code(), at_key(scenario.places, error.key()) + error.what());
     }
 }
 
@@ -65,64 +68,109 @@ decltype(auto) as_typed(F&& f) {
     }
 }
 
-// The number behind the '=', decimal and finite in any locale.
-double typed_number(const std::string& word, std::size_t at, const Setting& setting) {
-    const char *begin = word.data() + at + 1, *end = word.data() + word.size();
-    double value = 0;
-    const auto [rest, mistake] = std::from_chars(begin, end, value);
-    if (mistake == std::errc() && rest == end && std::isfinite(value)) return value;
-    const bool has_unit = mistake == std::errc() && rest != end && !setting.unit.empty();
+// The number behind the '=', decimal and finite in any locale, or the word, where the setting has words.
+TypedSettings::mapped_type typed_value(const std::string& word, std::size_t at, const Setting& setting) {
+    if (const auto value = number_in(std::string_view(word).substr(at + 1))) return *value;
+    if (!setting.choices.empty()) return word.substr(at + 1);
+    const bool has_unit = word.find_first_of("0123456789", at) != std::string::npos && !setting.unit.empty();
     throw io::Error(io::ExitCode::usage,
                     fmt::format("--set '{}': expected a decimal number behind '{}='{}", word, word.substr(0, at),
                                 has_unit ? fmt::format("; the unit is {}, without it", setting.unit) : ""));
 }
 
-// "speed=80": as typed after --set; by the settings' names.
+// "speed=80", "low_side=left": as typed after --set; by the settings' names.
 Settings typed_settings(const Maneuver& maneuver, const VehicleDescription& vehicle,
                         const std::vector<std::string>& words) {
     const std::vector<Setting> known = maneuver.settings(vehicle);
-    Settings out;
+    TypedSettings out;
     for (const std::string& word : words) {
         const std::size_t at = word.find('=');
         if (at == std::string::npos) {
-            throw io::Error(io::ExitCode::usage, fmt::format("--set '{}': expected NAME=NUMBER", word));
+            throw io::Error(io::ExitCode::usage, fmt::format("--set '{}': expected NAME=VALUE", word));
         }
         const Setting& setting = setting_called(word.substr(0, at), known, maneuver.name);
-        if (!out.emplace(setting.name, typed_number(word, at, setting)).second) {
+        if (!out.emplace(setting.name, typed_value(word, at, setting)).second) {
             throw io::Error(io::ExitCode::usage, fmt::format("--set '{}': expected each setting once", word));
         }
     }
-    return chosen_settings(maneuver, vehicle, out);
+    return chosen_settings(maneuver, vehicle, settings_in_numbers(maneuver, vehicle, out));
 }
 
 std::string kind_word(SettingKind kind) {
     switch (kind) {
         case SettingKind::number: return "number";
         case SettingKind::whole: return "whole number";
-        case SettingKind::toggle: return "0 or 1";
-        case SettingKind::side: return "-1 or 1";
+        case SettingKind::flag: return "flag";
+        case SettingKind::choice: return "choice";
     }
     return "";
 }
 
+// Numbers as numbers with their limits, flags and choices by their words.
+nlohmann::ordered_json setting_json(const Setting& setting) {
+    using Json = nlohmann::ordered_json;
+    Json choices = Json::array();
+    for (const Choice& choice : setting.choices) choices.push_back(choice.word);
+    const auto number = [&](double value) { return setting.choices.empty() ? Json(value) : Json(nullptr); };
+    const Json by_word = setting_text(setting, setting.default_value);
+    return {{"name", setting.name},
+            {"key", setting_key(setting)},
+            {"unit", setting.unit},
+            {"meaning", setting.meaning},
+            {"kind", kind_word(setting.kind)},
+            {"default", setting.choices.empty() ? Json(setting.default_value) : by_word},
+            {"min", number(setting.min)},
+            {"max", number(setting.max)},
+            {"choices", choices},
+            {"range", setting_range(setting)}};
+}
+
+void print_maneuvers_as_json(const VehicleDescription& vehicle) {
+    nlohmann::ordered_json facts = nlohmann::ordered_json::array();
+    for (const Maneuver& maneuver : maneuvers()) {
+        nlohmann::ordered_json settings = nlohmann::ordered_json::array();
+        for (const Setting& setting : maneuver.settings(vehicle)) settings.push_back(setting_json(setting));
+        facts.push_back({{"name", maneuver.name},
+                         {"title", maneuver.title},
+                         {"standard", maneuver.standard},
+                         {"summary", maneuver.summary},
+                         {"unsupported_reason", maneuver.unsupported_reason(vehicle)},
+                         {"settings", settings}});
+    }
+    fmt::print("{}\n", io::json_text(facts));
+}
+
+void print_maneuvers(const VehicleDescription& vehicle) {
+    fmt::print("Maneuvers, with the settings that {} drives them with:\n", vehicle.name);
+    for (const Maneuver& m : maneuvers()) {
+        fmt::print("\n{}  {} ({})\n  {}\n", m.name, m.title, m.standard, m.summary);
+        if (const std::string reason = m.unsupported_reason(vehicle); !reason.empty()) {
+            fmt::print("  not with this vehicle: {}\n", reason);
+        }
+        for (const Setting& s : m.settings(vehicle)) {
+            fmt::print("    {}={}{}{}  {} ({})\n", s.name, setting_text(s, s.default_value), s.unit.empty() ? "" : " ",
+                       s.unit, s.meaning, setting_range(s));
+        }
+    }
+}
+
 io::ExitCode drive_maneuver(const Maneuver& maneuver, const VehicleDescription& vehicle, const Settings& settings,
-                            const ManeuverOptions& asked, const Options& options, const ManeuverRun& run) {
-    check_obstacle(maneuver, vehicle);
+                            const ManeuverOptions& asked, const RunOptions& options, ManeuverRun run) {
+    check_support(maneuver, vehicle);
     const std::string folder = options.output.empty() ? "out/" + maneuver.name : options.output;
     const io::FolderLock lock = take_folder(folder);
-    const InterruptWatch watch;  // until all is written: half a film is none
+    const InterruptWatch watch;  // until all is written: half a replay is none
     Progress progress(maneuver.name);
     ManeuverOptions driven = asked;
-    bool stopped = false;
     driven.keep_going = [&](double share) {
-        stopped = stopped || interrupted();
-        return progress.show(share), !stopped;
+        run.interrupted = run.interrupted || interrupted();
+        return progress.show(share), !run.interrupted;
     };
     Outcome outcome = maneuver.drive(vehicle, settings, driven);
     progress.clear();
-    if (stopped) outcome.notes.emplace_back("interrupted: this is of a part of the maneuver");
-    tell_and_write(run, outcome, stopped, folder, options);
-    if (stopped) return io::ExitCode::interrupted;
+    if (run.interrupted) outcome.notes.emplace_back("interrupted: this is of a part of the maneuver");
+    print_and_write(run, outcome, folder, options.json);
+    if (run.interrupted) return io::ExitCode::interrupted;
     if (outcome.failed) {
         fmt::print(stderr, "hamilcar: {}: {}\n", maneuver.name, *outcome.failed);
         return io::ExitCode::numerical;
@@ -131,14 +179,14 @@ io::ExitCode drive_maneuver(const Maneuver& maneuver, const VehicleDescription& 
 }
 
 // `of_file`: settings of a scenario, which those that were typed override.
-io::ExitCode start(const Maneuver& maneuver, const std::string& vehicle_file, const Settings& of_file,
-                   const ManeuverOptions& asked, const Options& options) {
+io::ExitCode start(const Maneuver& maneuver, const std::string& vehicle_file, const TypedSettings& of_file,
+                   const ManeuverOptions& asked, const RunOptions& options) {
     if (!options.checkpoint.empty() || !options.resume.empty()) {
         throw io::Error(io::ExitCode::usage,
                         "--checkpoint and --resume are for scenarios; a maneuver is many short drives");
     }
     const VehicleDescription vehicle = io::read_vehicle(vehicle_file);
-    Settings settings = complete_settings(maneuver, vehicle, of_file);
+    Settings settings = complete_settings(maneuver, vehicle, settings_in_numbers(maneuver, vehicle, of_file));
     const Settings typed = as_typed([&] { return typed_settings(maneuver, vehicle, options.settings); });
     for (const auto& [name, value] : typed) settings[name] = value;
     ManeuverRun run{.maneuver = maneuver.name,
@@ -158,85 +206,64 @@ io::ExitCode start(const Maneuver& maneuver, const std::string& vehicle_file, co
 
 }  // namespace
 
-io::ExitCode run_maneuver(const Options& options) {
+io::ExitCode run_maneuver(const RunOptions& options) {
     ManeuverOptions asked;
-    if (options.step > 0) asked.solver.step = options.step;
-    const std::string vehicle = options.vehicle.empty() ? shipped_file("vehicles/bmw_323i.toml") : options.vehicle;
+    if (options.step) asked.solver.step = *options.step;
+    const std::string vehicle = vehicle_or_shipped(options.vehicle);
     const Maneuver& maneuver = as_typed([&]() -> const Maneuver& { return require_maneuver(options.maneuver); });
     return start(maneuver, vehicle, {}, asked, options);
 }
 
-io::ExitCode run_maneuver(const ScenarioDescription& scenario, const Options& options) {
+io::ExitCode run_maneuver(const ScenarioDescription& scenario, const RunOptions& options) {
     ManeuverOptions asked{.solver = scenario.solver, .road = scenario.road};
-    if (options.step > 0) asked.solver.step = options.step;
+    if (options.step) asked.solver.step = *options.step;
     const std::string& vehicle = options.vehicle.empty() ? scenario.vehicle : options.vehicle;
-    return at_place(options.file, [&] {
+    return at_place(scenario, [&] {
         return start(require_maneuver(scenario.maneuver.name), vehicle, scenario.maneuver.settings, asked, options);
     });
 }
 
-void check_maneuver(const ScenarioDescription& scenario, const VehicleDescription& vehicle, const std::string& file) {
-    at_place(file, [&] {
+void check_maneuver(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
+    at_place(scenario, [&] {
         const Maneuver& maneuver = require_maneuver(scenario.maneuver.name);
-        check_obstacle(maneuver, vehicle);
-        complete_settings(maneuver, vehicle, scenario.maneuver.settings);
+        check_support(maneuver, vehicle);
+        complete_settings(maneuver, vehicle, settings_in_numbers(maneuver, vehicle, scenario.maneuver.settings));
     });
 }
 
-io::ExitCode list_maneuvers(const Options& options) {
-    const VehicleDescription vehicle =
-        io::read_vehicle(options.file.empty() ? shipped_file("vehicles/bmw_323i.toml") : options.file);
-    nlohmann::ordered_json facts = nlohmann::ordered_json::array();
-    for (const Maneuver& maneuver : maneuvers()) {
-        nlohmann::ordered_json settings = nlohmann::ordered_json::array();
-        for (const Setting& s : maneuver.settings(vehicle)) {
-            settings.push_back({{"name", s.name},
-                                {"key", setting_key(s)},
-                                {"unit", s.unit},
-                                {"meaning", s.meaning},
-                                {"usual", s.usual},
-                                {"least", s.least},
-                                {"most", s.most},
-                                {"kind", kind_word(s.kind)},
-                                {"range", setting_range(s)}});
-        }
-        facts.push_back({{"name", maneuver.name},
-                         {"title", maneuver.title},
-                         {"standard", maneuver.standard},
-                         {"summary", maneuver.summary},
-                         {"obstacle", maneuver.obstacle(vehicle)},
-                         {"settings", settings}});
-    }
+namespace {
+
+struct ManeuversOptions {
+    std::string vehicle;
+    bool json = false;
+};
+
+struct CompareOptions {
+    std::vector<std::string> outcomes;
+    std::string output = "comparison.html";
+    long rows = 20000;
+    bool open = false;
+};
+
+io::ExitCode list_maneuvers(const ManeuversOptions& options) {
+    const VehicleDescription vehicle = io::read_vehicle(vehicle_or_shipped(options.vehicle));
     if (options.json) {
-        fmt::print("{}\n", io::json_text(facts));
-        return io::ExitCode::ok;
-    }
-    fmt::print("Maneuvers, with the settings that {} drives them with:\n", vehicle.name);
-    for (const auto& m : facts) {
-        fmt::print("\n{}  {} ({})\n  {}\n", m["name"].get<std::string>(), m["title"].get<std::string>(),
-                   m["standard"].get<std::string>(), m["summary"].get<std::string>());
-        if (const auto obstacle = m["obstacle"].get<std::string>(); !obstacle.empty()) {
-            fmt::print("  not with this vehicle: {}\n", obstacle);
-        }
-        for (const auto& s : m["settings"]) {
-            const auto unit = s["unit"].get<std::string>();
-            fmt::print("    {}={:g}{}{}  {} ({})\n", s["name"].get<std::string>(), s["usual"].get<double>(),
-                       unit.empty() ? "" : " ", unit, s["meaning"].get<std::string>(), s["range"].get<std::string>());
-        }
+        print_maneuvers_as_json(vehicle);
+    } else {
+        print_maneuvers(vehicle);
     }
     return io::ExitCode::ok;
 }
 
-io::ExitCode compare(const Options& options) {
-    if (options.files.size() < 2) {
+io::ExitCode compare(const CompareOptions& options) {
+    if (options.outcomes.size() < 2) {
         throw io::Error(io::ExitCode::usage,
                         "compare: expected two outcomes or more, folders that 'hamilcar run --maneuver' "
                         "wrote; 'hamilcar view' shows one");
     }
-    const std::string page = options.output.empty() ? "comparison.html" : options.output;
-    check_output(page);
+    check_output(options.output);
     std::vector<std::pair<ManeuverRun, Outcome>> runs;
-    for (const std::string& given : options.files) {
+    for (const std::string& given : options.outcomes) {
         const fs::path path = fs::is_directory(given) ? fs::path(given) / "outcome.json" : fs::path(given);
         if (!fs::exists(path)) {
             throw io::Error(io::ExitCode::input_output,
@@ -245,21 +272,39 @@ io::ExitCode compare(const Options& options) {
                                 "('hamilcar view' compares results of scenarios)");
         }
         auto run = read_outcome(path.string());
-        if (says_interrupted(path.string())) {
+        if (run.first.interrupted) {
             fmt::print(stderr, "hamilcar: note: {} is of a maneuver that was interrupted\n", path.string());
         }
         if (!runs.empty() && run.first.maneuver != runs[0].first.maneuver) {
-            fmt::print(stderr, "hamilcar: note: different maneuvers: {} has {}, {} has {}\n", options.files[0],
+            fmt::print(stderr, "hamilcar: note: different maneuvers: {} has {}, {} has {}\n", options.outcomes[0],
                        runs[0].first.maneuver, given, run.first.maneuver);
         }
-        const fs::path film = path.parent_path() / "drive.nc";
-        if (fs::exists(film)) run.second.runs.push_back(read_run(film.string(), options.rows));
+        const fs::path replay = path.parent_path() / "drive.nc";
+        if (fs::exists(replay)) run.second.runs.push_back(read_run(replay.string(), options.rows));
         runs.push_back(std::move(run));
     }
-    io::write_page(page, comparison_page(std::move(runs)));
-    fmt::print("{}\n", page);
-    if (options.open) open_in_browser(fs::absolute(page).string());
+    io::write_page(options.output, comparison_page(std::move(runs)));
+    fmt::print("{}\n", options.output);
+    if (options.open) open_in_browser(fs::absolute(options.output).string());
     return io::ExitCode::ok;
+}
+
+}  // namespace
+
+void add_maneuvers(CommandList& list) {
+    auto [command, o] =
+        list.add<ManeuversOptions>("maneuvers", "list the standard maneuvers and their settings", list_maneuvers);
+    command.add("vehicle", o.vehicle, "vehicle file (TOML) whose default settings to show [the shipped 323i]");
+    command.add_json(o.json);
+}
+
+void add_compare(CommandList& list) {
+    auto [command, o] =
+        list.add<CompareOptions>("compare", "put the outcomes of several maneuvers on one page", compare);
+    command.add("outcomes", o.outcomes, "folders that 'run --maneuver' wrote").required();
+    command.add("-o,--output", o.output, "the page");
+    command.add("--rows", o.rows, {100, 1e7}, "of each drive, at most");
+    command.add("--open", o.open, "open it in the browser");
 }
 
 }  // namespace hamilcar::cli

@@ -1,15 +1,19 @@
 // Maneuvers that a scenario file asks for.
 #pragma once
 
-#include "commands.hpp"
 #include "hamilcar/description/scenario.hpp"
+#include "hamilcar/description/vehicle.hpp"
+#include "hamilcar/io/error.hpp"
+#include "run_options.hpp"
 
 namespace hamilcar::cli {
 
+// As named by --maneuver, with the shipped vehicle unless another is named.
+io::ExitCode run_maneuver(const RunOptions& options);
 // With the scenario's vehicle, settings, solver and road.
-io::ExitCode run_maneuver(const ScenarioDescription& scenario, const Options& options);
+io::ExitCode run_maneuver(const ScenarioDescription& scenario, const RunOptions& options);
 
-// Throws io::Error for a maneuver or a setting that does not exist, or a vehicle that cannot do it; `file` is the scenario's.
-void check_maneuver(const ScenarioDescription& scenario, const VehicleDescription& vehicle, const std::string& file);
+// Throws io::Error for a maneuver or a setting that does not exist, or a vehicle that cannot do it.
+void check_maneuver(const ScenarioDescription& scenario, const VehicleDescription& vehicle);
 
 }  // namespace hamilcar::cli

@@ -7,7 +7,10 @@
 #include <numbers>
 
 #include "commands.hpp"
+#include "files.hpp"
 #include "hamilcar/analysis/modes.hpp"
+#include "hamilcar/base/units.hpp"
+#include "hamilcar/io/csv.hpp"
 #include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/page.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
@@ -16,18 +19,24 @@ namespace hamilcar::cli {
 
 namespace {
 
-constexpr double degree = 180 / std::numbers::pi;
+using units::degree;
 
-OperatingPoint find_point(const Linearizer& linearizer, const Options& options) {
+struct OperationOptions {
+    std::string vehicle, output;
+    double speed = 0, lateral_acceleration = 0;  // [m/s], [m/s^2]
+    bool json = false;
+};
+
+OperatingPoint find_point(const Linearizer& linearizer, const OperationOptions& options) {
     if (options.speed == 0 && options.lateral_acceleration != 0) {
         throw io::Error(io::ExitCode::usage, "--lateral-acceleration: expected a --speed above zero with it [m/s]");
     }
     const OperatingPoint at = linearizer.operating_point({options.speed, options.lateral_acceleration});
     if (at.found) return at;
-    throw io::Error(io::ExitCode::numerical, fmt::format("{}: {}", options.file, at.problem));
+    throw io::Error(io::ExitCode::numerical, fmt::format("{}: {}", options.vehicle, at.problem));
 }
 
-std::string describe(const Options& options) {
+std::string describe(const OperationOptions& options) {
     if (options.speed == 0) return "at rest on a flat road";
     if (options.lateral_acceleration == 0) return fmt::format("straight ahead at {:g} m/s", options.speed);
     return fmt::format("on a circle of {:.1f} m at {:g} m/s, {:g} m/s^2 to the {}",
@@ -51,17 +60,17 @@ nlohmann::json json_of(const OperatingPoint& at, const LinearModel& model) {
             {"outputs", outputs}};
 }
 
-void print_point(const OperatingPoint& at, const LinearModel& model, const Options& options,
+void print_point(const OperatingPoint& at, const LinearModel& model, const OperationOptions& options,
                  const VehicleDescription& vehicle) {
     fmt::print("{} {}\n", vehicle.name, describe(options));
     fmt::print("  residual            {:.1e} N or N m unbalanced\n", at.residual);
-    fmt::print("  roll, pitch         {:.3f}, {:.3f} deg\n", degree * at.z[1], degree * at.z[2]);
+    fmt::print("  roll, pitch         {:.3f}, {:.3f} deg\n", at.z[1] / degree, at.z[2] / degree);
     if (options.speed != 0) {
         fmt::print("  rack                {:.3f} mm\n  drive torque        {:.1f} N m\n",
                    1e3 * at.input.rack.displacement, at.input.drive_torque);
         fmt::print("  sideslip            {:.3f} deg\n  yaw rate            {:.3f} deg/s\n",
-                   degree * std::atan2(model.output[output_lateral_velocity], model.output[output_speed]),
-                   degree * model.output[output_yaw_rate]);
+                   std::atan2(model.output[output_lateral_velocity], model.output[output_speed]) / degree,
+                   model.output[output_yaw_rate] / degree);
     }
     const Eigen::Index wheels = (model.output.size() - first_wheel_output) / 2;
     for (Eigen::Index i = 0; i < wheels; ++i) {
@@ -73,13 +82,15 @@ void print_point(const OperatingPoint& at, const LinearModel& model, const Optio
 
 std::string csv(const Eigen::MatrixXd& matrix, const std::vector<std::string>& rows,
                 const std::vector<std::string>& columns) {
-    std::string text;
-    for (const std::string& column : columns) text += "," + column;
+    std::vector<std::string> headings{""};
+    headings.insert(headings.end(), columns.begin(), columns.end());
+    io::CsvText table(headings);
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-        text += "\n" + rows[static_cast<std::size_t>(i)];
-        for (Eigen::Index j = 0; j < matrix.cols(); ++j) text += fmt::format(",{:.17g}", matrix(i, j));
+        table.cell(rows[static_cast<std::size_t>(i)]);
+        for (Eigen::Index j = 0; j < matrix.cols(); ++j) table.cell(matrix(i, j), 17);
+        table.end_row();
     }
-    return text + "\n";
+    return table.text();
 }
 
 std::vector<double> frequencies(double from, double to, int count) {
@@ -104,7 +115,7 @@ std::vector<double> steer_to_yaw(const LinearModel& model, const std::vector<dou
     std::vector<double> w, out;
     for (const double one : f) w.push_back(2 * std::numbers::pi * one);
     for (const auto& one : frequency_response(model, output_yaw_rate, rack, rack_rate, w)) {
-        out.push_back(1e-3 * degree * std::abs(one));  // per millimeter of rack
+        out.push_back(1e-3 * std::abs(one) / degree);  // per millimeter of rack
     }
     return out;
 }
@@ -135,7 +146,7 @@ io::Table modes_table(const std::vector<Mode>& all) {
     return table;
 }
 
-void write_files(const Options& options, const LinearModel& model, const std::vector<Mode>& all,
+void write_files(const OperationOptions& options, const LinearModel& model, const std::vector<Mode>& all,
                  const VehicleDescription& vehicle) {
     make_folder(options.output);
     const auto path = [&](const char* name) { return options.output + "/" + name; };
@@ -143,18 +154,17 @@ void write_files(const Options& options, const LinearModel& model, const std::ve
     write_file(path("B.csv"), csv(model.B, model.states, model.inputs));
     write_file(path("C.csv"), csv(model.C, model.outputs, model.states));
     write_file(path("D.csv"), csv(model.D, model.outputs, model.inputs));
-    std::string table = "real [1/s],imaginary [1/s],frequency [Hz],damping ratio [1],name\n";
+    io::CsvText table({"real [1/s]", "imaginary [1/s]", "frequency [Hz]", "damping ratio [1]", "name"});
     for (const Mode& mode : all) {
-        table += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{}\n", mode.eigenvalue.real(), mode.eigenvalue.imag(),
-                             mode.frequency, mode.damping_ratio, mode.name);
+        table.cell(mode.eigenvalue.real(), 9).cell(mode.eigenvalue.imag(), 9);
+        table.cell(mode.frequency, 9).cell(mode.damping_ratio, 9).cell(mode.name).end_row();
     }
-    write_file(path("modes.csv"), table);
+    write_file(path("modes.csv"), table.text());
     const std::vector<double> f = frequencies(0.1, 30, 300);
     const std::vector<double> seat = road_to_seat(model, f), yaw = steer_to_yaw(model, f);
-    std::string responses = "frequency [Hz],seat over road [1],yaw rate over rack [deg/s/mm]\n";
-    for (std::size_t i = 0; i < f.size(); ++i)
-        responses += fmt::format("{:.9g},{:.9g},{:.9g}\n", f[i], seat[i], yaw[i]);
-    write_file(path("responses.csv"), responses);
+    io::CsvText responses({"frequency [Hz]", "seat over road [1]", "yaw rate over rack [deg/s/mm]"});
+    for (std::size_t i = 0; i < f.size(); ++i) responses.cell(f[i], 9).cell(seat[i], 9).cell(yaw[i], 9).end_row();
+    write_file(path("responses.csv"), responses.text());
     std::vector<io::Chart> charts{{.title = "Road to seat",
                                    .x_label = "frequency [Hz]",
                                    .y_label = "[1]",
@@ -190,10 +200,8 @@ void print_modes(const std::vector<Mode>& all) {
     fmt::print("  and {} neutral, {} of released brakes\n", neutral, windup);
 }
 
-}  // namespace
-
-io::ExitCode equilibrium(const Options& options) {
-    const VehicleDescription vehicle = io::read_vehicle(options.file);
+io::ExitCode equilibrium(const OperationOptions& options) {
+    const VehicleDescription vehicle = io::read_vehicle(options.vehicle);
     const Linearizer linearizer(vehicle);
     const OperatingPoint at = find_point(linearizer, options);
     const LinearModel model = linearizer.linearize(at);
@@ -205,8 +213,8 @@ io::ExitCode equilibrium(const Options& options) {
     return io::ExitCode::ok;
 }
 
-io::ExitCode modes(const Options& options) {
-    const VehicleDescription vehicle = io::read_vehicle(options.file);
+io::ExitCode modes(const OperationOptions& options) {
+    const VehicleDescription vehicle = io::read_vehicle(options.vehicle);
     const Linearizer linearizer(vehicle);
     const LinearModel model = linearizer.linearize(find_point(linearizer, options));
     const std::vector<Mode> all = hamilcar::modes(model, vehicle);
@@ -231,6 +239,28 @@ io::ExitCode modes(const Options& options) {
         fmt::print(stderr, "wrote modes.html, A, B, C, D, modes and responses to {}\n", options.output);
     }
     return io::ExitCode::ok;
+}
+
+void add_operation(Command& command, OperationOptions& o) {
+    command.add("vehicle", o.vehicle, "vehicle file (TOML)").required();
+    command.add("--speed", o.speed, {0, 100, "m/s"}, "forward speed, at rest if 0");
+    command.add("--lateral-acceleration", o.lateral_acceleration, {-30, 30, "m/s^2"}, "to the left");
+    command.add_json(o.json);
+}
+
+}  // namespace
+
+void add_equilibrium(CommandList& list) {
+    auto [command, o] = list.add<OperationOptions>(
+        "equilibrium", "find where a vehicle stands, drives straight or goes round", equilibrium);
+    add_operation(command, o);
+}
+
+void add_modes(CommandList& list) {
+    auto [command, o] = list.add<OperationOptions>(
+        "modes", "linearize a vehicle exactly; frequencies, damping, shapes, responses", modes);
+    add_operation(command, o);
+    command.add("-o,--output", o.output, "folder for tables and a page");
 }
 
 }  // namespace hamilcar::cli

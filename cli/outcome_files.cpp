@@ -6,10 +6,12 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "files.hpp"
+#include "hamilcar/base/text.hpp"
 #include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/result_file.hpp"
-#include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::cli {
 
@@ -17,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_film(const std::string& path, const io::PageRun& run) {
+void write_replay(const std::string& path, const io::PageRun& run) {
     std::vector<io::Column> columns(run.columns.begin() + 1, run.columns.end());
     const auto file = io::open_netcdf(path, columns, run.name, {{io::scene_attribute, run.scene}});
     std::vector<double> row(columns.size());
@@ -34,7 +36,8 @@ void print_outcome(const ManeuverRun& run, const Outcome& outcome) {
     std::size_t width = 0;
     for (const Figure& f : outcome.figures) width = std::max(width, f.name.size());
     for (const Figure& f : outcome.figures) {
-        const std::string value = std::isfinite(f.value) ? fmt::format("{:.5g} {}", f.value, f.unit) : "not shown";
+        const std::string value =
+            std::isfinite(f.value) ? fmt::format("{:.5g} {}", without_round_off(f.value), f.unit) : "not shown";
         fmt::print("  {:<{}}  {}\n", f.name, width, value);
     }
     for (const Verdict& v : outcome.verdicts) {
@@ -42,33 +45,31 @@ void print_outcome(const ManeuverRun& run, const Outcome& outcome) {
                    v.found.empty() ? "" : " (" + v.found + ")");
     }
     for (const std::string& note : outcome.notes) fmt::print("  note: {}\n", note);
-    const EnergyBook& energy = outcome.energy;
+    for (const ValidityWarning& warning : outcome.validity) fmt::print("  validity: {}\n", sentence(warning));
+    const EnergyBalance& energy = outcome.energy;
     if (outcome.stopped == Stopped::numerical) return;  // told with the reason
     if (!energy.is_kept) {
         fmt::print("  energy: no account was kept\n");
     } else {
-        fmt::print("  energy: the account closes to {:.2g} of what was turned over\n",
-                   energy.turnover > 0 ? energy.error() / energy.turnover : 0);
+        fmt::print("  energy balance error: {:.2g} of the energy exchanged\n",
+                   energy.exchanged > 0 ? energy.error() / energy.exchanged : 0);
     }
 }
 
-// Null where it cannot be read.
-nlohmann::json facts_of(const std::string& outcome) {
+// The one that stands there of an earlier drive, if any.
+std::optional<ManeuverRun> earlier_run(const std::string& outcome) {
     try {
-        return io::parse_json(io::read_whole_file(outcome, io::LargestFile::outcome));
+        return read_outcome(outcome).first;
     } catch (const io::Error&) {
-        return nullptr;
+        return {};
     }
 }
 
 // Those of the earlier drive whose outcome this is: beside another one's figures they would be taken for its own.
-void remove_pictures(const std::string& outcome, const nlohmann::json& facts) {
-    if (!facts.is_object() || !facts.contains("files") || !facts["files"].is_array()) return;
+void remove_pictures(const std::string& outcome, const ManeuverRun& earlier) {
     std::error_code gone_already;
-    for (const nlohmann::json& file : facts["files"]) {
-        if (!file.is_string()) continue;
-        const fs::path name = fs::path(file.get<std::string>()).filename(),
-                       path = fs::path(outcome).replace_filename(name);
+    for (const std::string& file : earlier.files) {
+        const fs::path name = fs::path(file).filename(), path = fs::path(outcome).replace_filename(name);
         if (name.string().starts_with("drive") && name.extension() == ".nc") {
             fs::remove(io::tiles_beside(path.string()), gone_already);
             fs::remove(path, gone_already);
@@ -86,48 +87,34 @@ std::vector<std::string> files_of(const Outcome& outcome, const std::string& fol
     return files;
 }
 
-// Whole or not at all: on a full disk the outcome of an earlier drive stays.
-void write_outcome(const std::string& path, const std::string& text) {
-    const nlohmann::json earlier = facts_of(path);
-    write_file(path, text);
-    remove_pictures(path, earlier);
-}
-
 }  // namespace
 
-bool says_interrupted(const std::string& outcome) {
-    const nlohmann::json facts = facts_of(outcome);
-    return facts.is_object() && facts.value("interrupted", nlohmann::json(false)) == true;
-}
-
-void tell_and_write(const ManeuverRun& run, const Outcome& outcome, bool stopped, const std::string& folder,
-                    const Options& options) {
-    const std::vector<std::string> files = files_of(outcome, folder);
+void print_and_write(ManeuverRun run, const Outcome& outcome, const std::string& folder, bool json) {
+    const std::vector<std::string> files = run.files = files_of(outcome, folder);
     nlohmann::ordered_json facts = outcome_json(run, outcome);
-    facts["interrupted"] = stopped;
-    if (stopped) facts["passed"] = false;
-    facts["files"] = files;
-    const bool keeps_earlier = stopped && fs::exists(files.front()) && !says_interrupted(files.front());
+    const std::optional<ManeuverRun> earlier = earlier_run(files.front());
+    const bool keeps_earlier = run.interrupted && fs::exists(files.front()) && !(earlier && earlier->interrupted);
     const std::string text = io::json_text(facts, 1) + "\n";
-    if (options.json) {
+    if (json) {
         if (keeps_earlier) facts["files"] = nlohmann::ordered_json::array();
         facts.erase("charts");
         fmt::print("{}\n", io::json_text(facts));
     } else {
         print_outcome(run, outcome);
     }
-    if (stopped) {
+    if (run.interrupted) {
         fmt::print(stderr, "hamilcar: interrupted: what is told is of a part of {}{}\n", run.maneuver,
                    keeps_earlier ? "; " + files.front() + " stays that of the whole drive before" : "");
     }
     if (keeps_earlier) return;
-    write_outcome(files.front(), text);
+    write_file(files.front(), text);  // whole or not at all: on a full disk that of the earlier drive stays
+    if (earlier) remove_pictures(files.front(), *earlier);
     const auto wrote = [&](const std::string& file) {
-        if (!options.json) fmt::print("  wrote {}\n", file);
+        if (!json) fmt::print("  wrote {}\n", file);
     };
     wrote(files.front());
     for (std::size_t i = 0; i < outcome.runs.size(); ++i) {
-        write_film(files[i + 1], outcome.runs[i]);
+        write_replay(files[i + 1], outcome.runs[i]);
         wrote(files[i + 1]);
     }
     io::write_page(files.back(), outcome_page(run, outcome));

@@ -2,22 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "hamilcar/io/result_file.hpp"
-#include "hamilcar/run/film.hpp"
+#include "hamilcar/run/replay_rows.hpp"
 
 namespace hamilcar::cli {
-
-namespace {
-
-// Which columns only move the picture: those that its scene names.
-bool moves_picture(const std::string& name) {
-    for (const char* part : {".pose.", ".contact.", ".ground_force."}) {
-        if (name.find(part) != std::string::npos) return true;
-    }
-    return false;
-}
-
-}  // namespace
 
 io::PageRun read_run(const std::string& path, long rows) {
     io::ResultFile file = io::read_result(path);
@@ -25,10 +15,11 @@ io::PageRun read_run(const std::string& path, long rows) {
                     .file = path,
                     .columns = std::move(file.columns),
                     .values = std::move(file.values),
-                    .motion = {},
                     .scene = std::move(file.scene),
                     .tiles = std::move(file.tiles)};
-    for (const io::Column& column : run.columns) run.motion.push_back(moves_picture(column.name));
+    const auto moves = [](const io::Column& column) { return is_motion(column.role); };
+    const bool of_earlier_version = !run.scene.empty() && std::ranges::none_of(run.columns, moves);
+    if (of_earlier_version) run.scene.clear();
     const std::size_t all = run.values[0].size();
     thin(run, static_cast<std::size_t>(rows));
     if (run.values[0].size() < all) {
@@ -36,7 +27,9 @@ io::PageRun read_run(const std::string& path, long rows) {
                    all, all);
     }
     if (run.scene.empty()) {
-        fmt::print(stderr, "hamilcar: {}: no motion was recorded (output.motion); plots only\n", path);
+        fmt::print(stderr, "hamilcar: {}: {}; plots only\n", path,
+                   of_earlier_version ? "recorded by an earlier version, whose channels do not say what they are"
+                                      : "no motion was recorded (output.motion)");
     }
     return run;
 }

@@ -4,15 +4,19 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "commands.hpp"
+#include "figure_9.hpp"
+#include "files.hpp"
 #include "hamilcar/analysis/freedom.hpp"
+#include "hamilcar/base/units.hpp"
+#include "hamilcar/io/csv.hpp"
 #include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/page.hpp"
+#include "hamilcar/io/scenario_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/run/record.hpp"
-#include "hamilcar/run/stabilization_sweep.hpp"
+#include "interrupt.hpp"
 #include "progress.hpp"
 #include "summary.hpp"
 
@@ -20,17 +24,13 @@ namespace hamilcar::cli {
 
 namespace {
 
-constexpr double figure_interval = 0.01;  // between points [s]
-// Gains of Fig. 9 [1/s] for third-order Adams-Bashforth at 1 ms, around the paper's 400 and on both sides of the limit;
-// another method or step has them in the same ratio to its own limit.
-const std::vector<double> sweep_gains{10, 25, 50, 100, 150, 200, 250, 300, 350, 400, 450, 500, 540, 550, 600, 800};
-const std::vector<double> shown_gains{50, 200, 400, 500};
-constexpr double paper_gain = 400, paper_norm = 0.005;  // [1/s]; "comparatively small", it says
-constexpr double paper_limit_gain = 6.0 / 11 / 1e-3;    // [1/s]
+struct PaperOptions {
+    std::string scenario, output = "out/paper";
+    bool json = false;
+};
 
 // What the paper does not print and had to be chosen; docs/theory/errata.md, sections 6 and 7.
 io::Paragraph what_is_ours(const ScenarioDescription& scenario) {
-    constexpr double degree = std::numbers::pi / 180;
     std::string text =
         "The paper prints neither the numbers of its car nor the inputs of its run: no mass, hardpoint, spring or "
         "tire, no drive torque, no steering. Those here are our own, so Figures 9 and 11 to 14 show the paper's method "
@@ -42,8 +42,8 @@ io::Paragraph what_is_ours(const ScenarioDescription& scenario) {
     };
     text += fmt::format(" Here the drive torque goes up to {:.4g} N m", largest(scenario.drive.value));
     if (scenario.steering_input == SteeringInput::steering_wheel) {
-        text +=
-            fmt::format(", the steering wheel to {:.4g} degrees to a side", largest(scenario.steering.value) / degree);
+        text += fmt::format(", the steering wheel to {:.4g} degrees to a side",
+                            largest(scenario.steering.value) / units::degree);
     }
     return {text + "."};
 }
@@ -58,53 +58,49 @@ constexpr Figure figures[] = {
     {"fig14_vertical_velocity", "Fig. 14  Vertical velocity of the chassis", "chassis.velocity.z", "z' [m/s]"},
 };
 
-void write_columns(const std::string& path, const std::vector<std::string>& heads,
-                   const std::vector<const std::vector<double>*>& columns) {
-    std::string text;
-    for (std::size_t j = 0; j < heads.size(); ++j) text += (j ? "," : "") + heads[j];
-    text += "\n";
-    std::size_t rows = 0;
-    for (const auto* column : columns) rows = std::max(rows, column->size());
-    for (std::size_t i = 0; i < rows; ++i) {
-        for (std::size_t j = 0; j < columns.size(); ++j) {
-            text += j ? "," : "";
-            if (i < columns[j]->size()) text += fmt::format("{}", (*columns[j])[i]);
-        }
-        text += "\n";
-    }
-    write_file(path, text);
-}
+// Table 2 as it is printed, and what it counts.
+struct Table2 {
+    std::vector<ConstraintRow> rows;
+    int constraints = 0, coordinates = 0, degrees_of_freedom = 0, cut_equations = 0;
+    int as_printed() const { return coordinates - constraints; }
+};
 
-nlohmann::json write_table_2(const std::string& folder, const Simulation& simulation, io::Page& page) {
+Table2 table_2_of(const Simulation& simulation) {
     const Structure counted = structure(simulation.model().vehicle, simulation.vehicle());
-    std::string text = "what,constraints\n";
-    int total = 0;
-    io::Table table{"Table 2  Constraints and degrees of freedom", {{"what", ""}, {"constraints", ""}}, {}};
-    for (const ConstraintRow& row : paper_table_2(counted, true)) {
-        text += fmt::format("{},{}\n", row.what, row.constraints);
-        total += row.constraints;
-        table.rows.push_back({row.what, double(row.constraints)});
-    }
-    table.rows.push_back({"total", double(total)});
-    table.rows.push_back({"coordinates", double(7 * counted.bodies)});
-    table.rows.push_back({"as printed: coordinates less constraints", double(7 * counted.bodies - total)});
-    table.rows.push_back({"degrees of freedom, the rack prescribed", double(counted.degrees_of_freedom)});
-    page.blocks.push_back(table);
-    text += fmt::format("total,{}\ncoordinates,{}\nas printed: coordinates - total,{}\n", total, 7 * counted.bodies,
-                        7 * counted.bodies - total);
-    text += fmt::format("degrees of freedom (the rack's coordinate counted with its driver),{}\n",
-                        counted.degrees_of_freedom);
-    write_file(folder + "/table2_degrees_of_freedom.csv", text);
-    return {{"constraints", total},
-            {"coordinates", 7 * counted.bodies},
-            {"as_printed", 7 * counted.bodies - total},
-            {"degrees_of_freedom", counted.degrees_of_freedom},
-            {"cut_equations", counted.cut_equations}};
+    Table2 table{.rows = paper_table_2(counted, true),
+                 .coordinates = 7 * counted.bodies,
+                 .degrees_of_freedom = counted.degrees_of_freedom,
+                 .cut_equations = counted.cut_equations};
+    for (const ConstraintRow& row : table.rows) table.constraints += row.constraints;
+    return table;
 }
 
-nlohmann::json write_table_3(const std::string& folder, double step, io::Page& page) {
-    std::string text = "method,order,paper's ST_k,exact limit,paper's alpha [1/s],largest stable alpha [1/s]\n";
-    nlohmann::json rows = nlohmann::json::array();
+void write_table_2(const std::string& folder, const Table2& counted, io::Page& page) {
+    io::CsvText text({"what", "constraints"});
+    io::Table table{"Table 2  Constraints and degrees of freedom", {{"what", ""}, {"constraints", ""}}, {}};
+    const auto add = [&](const std::string& what, int number) {
+        text.cell(what).cell(number).end_row();
+        table.rows.push_back({what, double(number)});
+    };
+    for (const ConstraintRow& row : counted.rows) add(row.what, row.constraints);
+    add("total", counted.constraints);
+    add("coordinates", counted.coordinates);
+    add("as printed: coordinates less constraints", counted.as_printed());
+    add("degrees of freedom, the rack prescribed", counted.degrees_of_freedom);
+    page.blocks.push_back(table);
+    write_file(folder + "/table2_degrees_of_freedom.csv", text.text());
+}
+
+std::vector<Method> methods_of_table_3() {
+    std::vector<Method> out;
+    std::ranges::copy_if(methods, std::back_inserter(out),
+                         [](const Method& method) { return method.paper_limit.has_value(); });
+    return out;
+}
+
+void write_table_3(const std::string& folder, double step, io::Page& page) {
+    io::CsvText text(
+        {"method", "order", "paper's ST_k", "exact limit", "paper's alpha [1/s]", "largest stable alpha [1/s]"});
     io::Table table{"Table 3  Stability limits",
                     {{"method", ""},
                      {"order", ""},
@@ -113,17 +109,14 @@ nlohmann::json write_table_3(const std::string& folder, double step, io::Page& p
                      {"paper's alpha", "1/s"},
                      {"largest stable alpha", "1/s"}},
                     {}};
-    for (const Method& method : methods) {
-        if (!method.paper_limit) continue;
+    for (const Method& method : methods_of_table_3()) {
         table.rows.push_back({std::string(method.name), double(method.order), *method.paper_limit,
                               method.real_axis_limit, *method.paper_limit / step, method.real_axis_limit / step});
-        text += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g}\n", method.name, method.order, *method.paper_limit,
-                            method.real_axis_limit, *method.paper_limit / step, method.real_axis_limit / step);
-        rows.push_back({{"order", method.order}, {"paper", *method.paper_limit}, {"exact", method.real_axis_limit}});
+        text.cell(method.name).cell(method.order).cell(*method.paper_limit).cell(method.real_axis_limit, 6);
+        text.cell(*method.paper_limit / step, 6).cell(method.real_axis_limit / step, 6).end_row();
     }
     page.blocks.push_back(table);
-    write_file(folder + "/table3_stability_limits.csv", text);
-    return rows;
+    write_file(folder + "/table3_stability_limits.csv", text.text());
 }
 
 // Runs the case itself; Figures 11 to 14 from its samples.
@@ -151,136 +144,108 @@ RunSummary write_motion_figures(const std::string& folder, Simulation& simulatio
     return summary;
 }
 
-// The sweep as rows of a table and as curves of the two pictures.
-struct Figure9 {
-    std::string table = "alpha [1/s],alpha h,rms norm of Phi,largest norm of Phi,reached [s],stable\n";
-    io::Chart over_time{"Fig. 9  Norm of the constraint violations", "time [s]", "|Phi|", {}, true, {}};
-    io::Curve rms{"root mean square over the run", {}, {}, true}, largest{"largest", {}, {}, true};
-
-    void add(const SweepRun& run, double step) {
-        table += fmt::format("{},{:.6g},{},{},{:.6g},{}\n", run.gain, run.gain * step, run.rms_norm, run.max_norm,
-                             run.ended, run.blew_up ? "no" : "yes");
-        if (run.blew_up) return;
-        rms.x.push_back(run.gain), rms.y.push_back(run.rms_norm);
-        largest.x.push_back(run.gain), largest.y.push_back(run.max_norm);
-    }
-    void show(const SweepRun& run, const std::string& folder) {
-        io::Curve curve{fmt::format("alpha = {:g}", run.gain), run.time, run.norm};
-        for (double& y : curve.y) y = std::max(y, 1e-17);  // zero has no logarithm
-        over_time.curves.push_back(curve);
-        write_columns(fmt::format("{}/fig09_alpha_{:g}.csv", folder, run.gain), {"time [s]", "|Phi|"},
-                      {&run.time, &run.norm});
-    }
+struct PaperReport {
+    RunReport run;
+    Table2 table_2;
+    Figure9 figure_9;
+    std::string folder;
 };
 
-nlohmann::json write_figure_9(const std::string& folder, const VehicleDescription& vehicle,
-                              const ScenarioDescription& scenario, io::Page& page) {
-    const double step = scenario.solver.step, limit = find_method(scenario.solver.integrator)->real_axis_limit / step;
-    const double scale = limit / paper_limit_gain;
-    std::vector<double> gains;
-    for (const double gain : sweep_gains) gains.push_back(gain * scale);
-    const auto runs = stabilization_sweep(vehicle, scenario, gains, figure_interval, [] { return !interrupted(); });
-    if (runs.size() < gains.size()) return nullptr;
-    Figure9 figure;
-    nlohmann::json facts{{"paper_claim", {{"comparatively_small_at_gain_per_s", paper_gain}, {"norm", paper_norm}}},
-                         {"stability_limit_per_s", limit},
-                         {"first_unstable_gain_per_s", nullptr},
-                         {"least_rms_at_gain_per_s", nullptr},
-                         {"least_rms_norm", nullptr}};
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        const SweepRun& run = runs[i];
-        figure.add(run, step);
-        if (std::find(shown_gains.begin(), shown_gains.end(), sweep_gains[i]) != shown_gains.end())
-            figure.show(run, folder);
-        if (sweep_gains[i] == paper_gain) {
-            facts["paper_gain_per_s"] = run.gain;
-            facts["rms_norm_at_paper_gain"] = run.rms_norm;
-            facts["largest_norm_at_paper_gain"] = run.max_norm;
-        }
-        auto& unstable = facts["first_unstable_gain_per_s"];
-        if (run.blew_up && unstable.is_null()) unstable = run.gain;
-        auto& least = facts["least_rms_norm"];
-        if (!run.blew_up && (least.is_null() || run.rms_norm < least.get<double>())) {
-            least = run.rms_norm;
-            facts["least_rms_at_gain_per_s"] = run.gain;
-        }
+nlohmann::json json_of(const PaperReport& report) {
+    nlohmann::json table_3 = nlohmann::json::array();
+    for (const Method& method : methods_of_table_3()) {
+        table_3.push_back({{"order", method.order}, {"paper", *method.paper_limit}, {"exact", method.real_axis_limit}});
     }
-    write_file(folder + "/fig09_sweep.csv", figure.table);
-    page.blocks.push_back(figure.over_time);
-    page.blocks.push_back(io::Chart{"Fig. 9 swept: constraint violation against the gain",
-                                    "alpha [1/s]",
-                                    "norm of Phi",
-                                    {figure.rms, figure.largest},
-                                    true,
-                                    {{limit, fmt::format("stability limit {:.0f}", limit)}}});
-    return facts;
+    return {{"run", json_of(report.run)},
+            {"table_2",
+             {{"constraints", report.table_2.constraints},
+              {"coordinates", report.table_2.coordinates},
+              {"as_printed", report.table_2.as_printed()},
+              {"degrees_of_freedom", report.table_2.degrees_of_freedom},
+              {"cut_equations", report.table_2.cut_equations}}},
+            {"table_3", table_3},
+            {"figure_9", json_of(report.figure_9)},
+            {"folder", report.folder}};
 }
 
-std::string number(const nlohmann::json& value, const char* format) {
-    return value.is_null() ? "none" : fmt::format(fmt::runtime(format), value.get<double>());
+void print_sweep(const GainSweep& sweep) {
+    fmt::print("          steering \"{}\": ", sweep.steering);
+    if (sweep.best) {
+        fmt::print("smallest RMS norm {:.2e} at alpha = {:.4g}", sweep.best->rms_norm, sweep.best->gain);
+    } else {
+        fmt::print("no gain is stable");
+    }
+    if (const auto& run = sweep.at_paper_gain) {
+        fmt::print("; at {:.4g} RMS {:.2e}, largest {:.2e}", run->gain, run->rms_norm, run->max_norm);
+    }
+    const auto& unstable = sweep.first_unstable_gain;
+    fmt::print("; first run lost at {}\n", unstable ? fmt::format("{:.4g}", *unstable) : "none");
 }
 
-void print_paper(const nlohmann::json& facts, const std::string& folder) {
-    const auto& fig9 = facts["figure_9"];
-    print_summary(facts["run"]);
+void print_report(const PaperReport& report) {
+    print_summary(report.run);
+    const Table2& table = report.table_2;
     fmt::print(
         "\nTable 2   {} coordinates - {} constraints = {} as printed; {} degrees of freedom (the rack is prescribed)\n",
-        facts["table_2"]["coordinates"].get<int>(), facts["table_2"]["constraints"].get<int>(),
-        facts["table_2"]["as_printed"].get<int>(), facts["table_2"]["degrees_of_freedom"].get<int>());
+        table.coordinates, table.constraints, table.as_printed(), table.degrees_of_freedom);
     fmt::print("Table 3   ST_3 = 0.4 in print, 6/11 exactly\n");
     fmt::print("Figure 9  paper: comparatively small at alpha = {:g}, norm {:g}\n", paper_gain, paper_norm);
-    fmt::print("          here:  least RMS norm {} at alpha = {}; at {} RMS {}, largest {}\n",
-               number(fig9["least_rms_norm"], "{:.2e}"), number(fig9["least_rms_at_gain_per_s"], "{:.4g}"),
-               number(fig9["paper_gain_per_s"], "{:.4g}"), number(fig9["rms_norm_at_paper_gain"], "{:.2e}"),
-               number(fig9["largest_norm_at_paper_gain"], "{:.2e}"));
-    fmt::print("          first run lost: alpha = {}; the stability limit S / h is {}\n",
-               number(fig9["first_unstable_gain_per_s"], "{:.4g}"), number(fig9["stability_limit_per_s"], "{:.1f}"));
+    for (const GainSweep& sweep : report.figure_9.sweeps) print_sweep(sweep);
+    fmt::print("          the stability limit S / h is {:.1f}\n", report.figure_9.stability_limit);
     fmt::print("Car, drive torque and steering are ours; the paper prints none of them.\n");
-    fmt::print("\nAll tables and figures: {0}/paper.html; their data: {0}/*.csv\n", folder);
+    fmt::print("\nAll tables and figures: {0}/paper.html; their data: {0}/*.csv\n", report.folder);
 }
 
-}  // namespace
-
-io::ExitCode paper(const Options& options) {
-    const std::string file = options.file.empty() ? shipped_file("scenarios/paper.toml") : options.file;
+io::ExitCode paper(const PaperOptions& options) {
+    const std::string file = options.scenario.empty() ? shipped_file("scenarios/paper.toml") : options.scenario;
     const ScenarioDescription scenario = io::read_scenario(file);
     const VehicleDescription vehicle = io::read_vehicle(scenario.vehicle);
-    const std::string folder = options.output.empty() ? "out/paper" : options.output;
+    const std::string& folder = options.output;
     const io::FolderLock lock = take_folder(folder);
     const InterruptWatch watch;
-    Simulation simulation = in_files(file, scenario.vehicle, [&] { return Simulation(vehicle, scenario); });
-    nlohmann::json facts;
+    Simulation simulation(vehicle, scenario);
     io::Page page{
         .title = "The paper's case", .subtitle = vehicle.name + ", " + scenario.name, .blocks = {}, .runs = {}};
     page.blocks.push_back(what_is_ours(scenario));
-    facts["table_2"] = write_table_2(folder, simulation, page);
-    facts["table_3"] = write_table_3(folder, scenario.solver.step, page);
+    const Table2 table_2 = table_2_of(simulation);
+    write_table_2(folder, table_2, page);
+    write_table_3(folder, scenario.solver.step, page);
     const RunSummary summary = write_motion_figures(folder, simulation, all_channels(vehicle), page);
     io::write_page(folder + "/paper.html", page);  // whatever becomes of Figure 9
-    facts["run"] = summary_json(simulation, summary, {});
     if (summary.interrupted) {
         fmt::print(stderr, "hamilcar: interrupted; Figures 11 to 14 end at t = {:.3f} s, Figure 9 is missing\n",
                    summary.duration);
         return io::ExitCode::interrupted;
     }
     if (summary.ended_early) throw io::Error(io::ExitCode::numerical, *summary.ended_early);
-    if (facts["table_2"]["cut_equations"] == 0) {
+    if (table_2.cut_equations == 0) {
         throw io::Error(io::ExitCode::bad_file, file + ": Figure 9 shows cut constraints, and this car has none");
     }
-    facts["figure_9"] = write_figure_9(folder, vehicle, scenario, page);
-    if (facts["figure_9"].is_null()) {
+    const RunReport run = report_of(simulation, summary, {});
+    const std::optional<Figure9> figure_9 = write_figure_9(folder, vehicle, scenario, page);
+    if (!figure_9) {
         fmt::print(stderr, "hamilcar: interrupted; Figure 9 is missing\n");
         return io::ExitCode::interrupted;
     }
     io::write_page(folder + "/paper.html", page);
-    facts["folder"] = folder;
-    write_file(folder + "/summary.json", io::json_text(facts) + "\n");
+    const PaperReport report{run, table_2, *figure_9, folder};
+    const std::string facts = io::json_text(json_of(report));
+    write_file(folder + "/summary.json", facts + "\n");
     if (options.json) {
-        fmt::print("{}\n", io::json_text(facts));
+        fmt::print("{}\n", facts);
     } else {
-        print_paper(facts, folder);
+        print_report(report);
     }
     return io::ExitCode::ok;
+}
+
+}  // namespace
+
+void add_paper(CommandList& list) {
+    auto [command, o] = list.add<PaperOptions>("paper", "run the paper's case and write its tables and figures", paper);
+    command.add("scenario", o.scenario, "another scenario file than the paper's");
+    command.add("-o,--output", o.output, "folder for the results");
+    command.add_json(o.json);
 }
 
 }  // namespace hamilcar::cli

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "files.hpp"
 #include "hamilcar/bench/operations.hpp"
 #include "hamilcar/engine/rhs_program.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
@@ -17,6 +18,11 @@ namespace hamilcar::cli {
 namespace {
 
 using program::Block;
+
+struct ProgramOptions {
+    std::string vehicle, c_file;
+    bool json = false;
+};
 
 struct BlockCount {
     const char* name;
@@ -116,11 +122,9 @@ std::string explanation(const VehicleDescription& vehicle, const RhsTrace& trace
         vehicle.name, HAMILCAR_VERSION, model.vehicle.state_size, places);
 }
 
-}  // namespace
-
-io::ExitCode program(const Options& options) {
+io::ExitCode program(const ProgramOptions& options) {
     if (!options.c_file.empty()) check_output(options.c_file);
-    const VehicleDescription vehicle = io::read_vehicle(options.file);
+    const VehicleDescription vehicle = io::read_vehicle(options.vehicle);
     const Model<double> model{
         .vehicle = Vehicle<double>(vehicle), .road = PlaneRoad<double>(0, 0, 1), .energy_balance = false};
     const auto start = std::chrono::steady_clock::now();
@@ -132,6 +136,16 @@ io::ExitCode program(const Options& options) {
         write_file(options.c_file, explanation(vehicle, trace, model) + program::c_text(trace.graph, "hamilcar_turn"));
     }
     return io::ExitCode::ok;
+}
+
+}  // namespace
+
+void add_program(CommandList& list) {
+    auto [command, o] =
+        list.add<ProgramOptions>("program", "what a vehicle's step comes to once it is recorded and compiled", program);
+    command.add("vehicle", o.vehicle, "vehicle file (TOML)").required();
+    command.add("--c", o.c_file, "file for the step as one C function");
+    command.add_json(o.json);
 }
 
 }  // namespace hamilcar::cli

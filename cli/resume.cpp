@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <utility>
 
 #include "hamilcar/io/checksum.hpp"
-#include "hamilcar/io/toml_document.hpp"
+#include "hamilcar/io/error.hpp"
 #include "hamilcar/io/whole_file.hpp"
+#include "hamilcar/run/run_loop.hpp"
 
 namespace hamilcar::cli {
 
@@ -27,13 +27,7 @@ void add_text(io::Checksum& sum, std::string_view text) {
 }
 
 void add_file(io::Checksum& sum, const std::filesystem::path& path) {
-    io::regular_file_size(path.string());  // anything else may have no end
-    std::ifstream file(path, std::ios::binary);
-    std::string block(1 << 16, '\0');
-    while (file) {
-        file.read(block.data(), static_cast<std::streamsize>(block.size()));
-        sum.add(std::string_view(block).substr(0, static_cast<std::size_t>(file.gcount())));
-    }
+    sum.add(io::read_whole_file(path.string(), io::FileLimit::road));
 }
 
 // Keys that name a file end so ("file", "crg_file"); the file's content counts, not its place.
@@ -102,22 +96,21 @@ std::string mismatch(const FirstPart& part, const Recorded& recorded, long every
 
 }  // namespace
 
-Origin origin_of(const std::string& scenario_file, const std::string& vehicle_file) {
-    io::Node scenario = io::read_toml(scenario_file);
+Origin origin_of(io::Node scenario, const io::Node& vehicle) {
     leave_out(&scenario, {"duration_s", "vehicle", "output"});
     leave_out(scenario.find("solver"), {"step_s", "integrator"});
-    return {.vehicle = sum_of(io::read_toml(vehicle_file)), .scenario = sum_of(scenario)};
+    return {.vehicle = sum_of(vehicle), .scenario = sum_of(scenario)};
 }
 
-void check_can_resume(const Options& options, const ScenarioDescription& scenario) {
+void check_can_resume(const RunOptions& options, const ScenarioDescription& scenario) {
     if (scenario.output.netcdf || (options.checkpoint.empty() && options.resume.empty())) return;
-    throw io::Error(io::ExitCode::usage, fmt::format("{}: a run is gone on with from its results.nc; {} expects "
+    throw io::Error(io::ExitCode::usage, fmt::format("{}resuming requires netCDF output; {} expects "
                                                      "'output.netcdf = true'",
-                                                     io::place_of(options.file, "output.netcdf"),
+                                                     at_key(scenario.places, "output.netcdf"),
                                                      options.resume.empty() ? "--checkpoint" : "--resume"));
 }
 
-FirstPart first_part(const Options& options, const std::string& folder, const ScenarioDescription& scenario,
+FirstPart first_part(const RunOptions& options, const std::string& folder, const ScenarioDescription& scenario,
                      const Recorded& recorded, Simulation& simulation, const Origin& origin) {
     FirstPart part;
     if (options.resume.empty()) return part;
@@ -125,7 +118,7 @@ FirstPart first_part(const Options& options, const std::string& folder, const Sc
     if (simulation.steps_taken() > simulation.total_steps()) {
         throw io::Error(io::ExitCode::bad_file,
                         fmt::format("{}: the checkpoint is of t = {:g} s, after the end of {} at {:g} s",
-                                    options.resume, simulation.time(), options.file, scenario.duration));
+                                    options.resume, simulation.time(), options.scenario, scenario.duration));
     }
     const long every = steps_per_row(simulation, scenario.output.interval);
     part.count = static_cast<std::size_t>((simulation.steps_taken() + every - 1) / every);
@@ -141,15 +134,17 @@ FirstPart first_part(const Options& options, const std::string& folder, const Sc
                                 results, why));
 }
 
-Keeper::Keeper(const Options& options, const Simulation& simulation, const Progressed& so_far, const Origin& origin)
+CheckpointKeeper::CheckpointKeeper(const RunOptions& options, const Simulation& simulation, const Progressed& so_far,
+                                   const Origin& origin)
     : path_(options.checkpoint),
       origin_(origin),
-      interval_(options.checkpoint_interval),
+      interval_(options.checkpoint_interval.value_or(0)),
       next_(simulation.time() + interval_) {
     if (!path_.empty()) write_checkpoint(path_, simulation, so_far, origin_);
 }
 
-void Keeper::look(const Simulation& simulation, const RunSummary& summary, const PathOnGround& path, RunFiles& files) {
+void CheckpointKeeper::look(const Simulation& simulation, const RunSummary& summary, const PathOnGround& path,
+                            RunFiles& files) {
     if (path_.empty() || interval_ <= 0 || simulation.time() < next_) return;
     next_ += interval_;
     files.flush();  // first: a checkpoint is of no use if the results end before it
@@ -158,16 +153,15 @@ void Keeper::look(const Simulation& simulation, const RunSummary& summary, const
     fmt::print(stderr, "hamilcar: warning: {}; the run goes on, the last checkpoint stays\n", trouble);
 }
 
-bool Keeper::finish(const Simulation& simulation, const RunSummary& summary, const PathOnGround& path) const {
-    if (summary.ended_early)
-        return true;  // from where the mathematics gave up nobody goes on: the last checkpoint stays
+bool CheckpointKeeper::finish(const Simulation& simulation, const RunSummary& summary, const PathOnGround& path) const {
+    if (summary.ended_early) return true;  // no run continues where the mathematics gave up: the last checkpoint stays
     const std::string trouble = path_.empty() ? "" : try_to_write(simulation, summary, path);
     if (!trouble.empty()) fmt::print(stderr, "hamilcar: {}\n", trouble);
     return trouble.empty();
 }
 
-std::string Keeper::try_to_write(const Simulation& simulation, const RunSummary& summary,
-                                 const PathOnGround& path) const {
+std::string CheckpointKeeper::try_to_write(const Simulation& simulation, const RunSummary& summary,
+                                           const PathOnGround& path) const {
     try {
         write_checkpoint(path_, simulation, {summary, path.x, path.y}, origin_);
         return {};

@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "hamilcar/io/crg_file.hpp"
 #include "hamilcar/io/json_text.hpp"
+#include "hamilcar/io/scenario_file.hpp"
 #include "hamilcar/road/plane.hpp"
 #include "hamilcar/road/road_spectrum.hpp"
 #include "hamilcar/road/surface.hpp"
@@ -16,6 +17,12 @@
 namespace hamilcar::cli {
 
 namespace {
+
+struct RoadOptions {
+    std::string scenario, output;
+    double length = 400;  // from x = 0 on [m]
+    bool json = false;
+};
 
 // Heights of a scenario's road, plane and all [m].
 class Ground {
@@ -74,43 +81,41 @@ CrgDescription as_crg(const Ground& ground, double length, double step, double h
     return crg;
 }
 
-}  // namespace
-
-io::ExitCode road(const Options& options) {
-    constexpr double step = 0.05, half_width = 3, half_track = 0.75;  // [m]
-    const ScenarioDescription scenario = io::read_scenario(options.file);
-    const Ground ground(scenario.road);
-    nlohmann::json tracks = nlohmann::json::array();
-    for (const double y : {half_track, -half_track}) {
-        const Track track = track_at(ground, y, options.length, step);
-        nlohmann::json facts{{"y_m", y},
-                             {"lowest_m", track.lowest},
-                             {"highest_m", track.highest},
-                             {"roughness_m3", nullptr},
-                             {"waviness", nullptr},
-                             {"iso_8608_class", nullptr}};
-        if (track.roughness) {
-            facts["roughness_m3"] = track.roughness->at_reference, facts["waviness"] = track.roughness->waviness;
-            facts["iso_8608_class"] = std::string(1, class_of(track.roughness->at_reference));
-        }
-        tracks.push_back(std::move(facts));
+nlohmann::json json_of(const Track& track) {
+    nlohmann::json out{{"y_m", track.y},          {"lowest_m", track.lowest}, {"highest_m", track.highest},
+                       {"roughness_m3", nullptr}, {"waviness", nullptr},      {"iso_8608_class", nullptr}};
+    if (track.roughness) {
+        out["roughness_m3"] = track.roughness->at_reference, out["waviness"] = track.roughness->waviness;
+        out["iso_8608_class"] = std::string(1, class_of(track.roughness->at_reference));
     }
-    if (options.json) {
-        fmt::print("{}\n", io::json_text(nlohmann::json{
-                               {"file", options.file}, {"length_m", options.length}, {"tracks", tracks}}));
+    return out;
+}
+
+void print(const Track& track) {
+    fmt::print("  y = {:+.2f} m: heights {:.3f} to {:.3f} m", track.y, track.lowest, track.highest);
+    if (!track.roughness) {
+        fmt::print(", even\n");
     } else {
-        fmt::print("{}: the road from x = 0 to {:g} m\n", options.file, options.length);
-        for (const auto& track : tracks) {
-            fmt::print("  y = {:+.2f} m: heights {:.3f} to {:.3f} m", track["y_m"].get<double>(),
-                       track["lowest_m"].get<double>(), track["highest_m"].get<double>());
-            if (track["roughness_m3"].is_null()) {
-                fmt::print(", even\n");
-            } else {
-                fmt::print(", Gd(0.1/m) = {:.3g}e-6 m^3, waviness {:.2f}: ISO 8608 class {}\n",
-                           1e6 * track["roughness_m3"].get<double>(), track["waviness"].get<double>(),
-                           track["iso_8608_class"].get<std::string>());
-            }
-        }
+        fmt::print(", Gd(0.1/m) = {:.3g}e-6 m^3, waviness {:.2f}: ISO 8608 class {}\n",
+                   1e6 * track.roughness->at_reference, track.roughness->waviness,
+                   class_of(track.roughness->at_reference));
+    }
+}
+
+io::ExitCode road(const RoadOptions& options) {
+    constexpr double step = 0.05, half_width = 3, half_track = 0.75;  // [m]
+    const ScenarioDescription scenario = io::read_scenario(options.scenario);
+    const Ground ground(scenario.road);
+    std::vector<Track> tracks;
+    for (const double y : {half_track, -half_track}) tracks.push_back(track_at(ground, y, options.length, step));
+    if (options.json) {
+        nlohmann::json all = nlohmann::json::array();
+        for (const Track& track : tracks) all.push_back(json_of(track));
+        fmt::print("{}\n", io::json_text(nlohmann::json{
+                               {"file", options.scenario}, {"length_m", options.length}, {"tracks", all}}));
+    } else {
+        fmt::print("{}: the road from x = 0 to {:g} m\n", options.scenario, options.length);
+        for (const Track& track : tracks) print(track);
     }
     if (!options.output.empty()) {
         io::write_crg(as_crg(ground, options.length, step, half_width), options.output, io::CrgFormat::binary_double);
@@ -118,6 +123,17 @@ io::ExitCode road(const Options& options) {
                    options.output);
     }
     return io::ExitCode::ok;
+}
+
+}  // namespace
+
+void add_road(CommandList& list) {
+    auto [command, o] =
+        list.add<RoadOptions>("road", "show how rough a scenario's road is, or write it as an OpenCRG file", road);
+    command.add("scenario", o.scenario, "scenario file (TOML)").required();
+    command.add("--length", o.length, {10, 20000, "m"}, "of road, from x = 0 on");
+    command.add("-o,--output", o.output, "OpenCRG file (.crg) to write");
+    command.add_json(o.json);
 }
 
 }  // namespace hamilcar::cli

@@ -5,15 +5,17 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "hamilcar/analysis/energy_bounds.hpp"
+#include "files.hpp"
 #include "hamilcar/io/json_text.hpp"
-#include "hamilcar/io/tir_file.hpp"
+#include "hamilcar/io/scenario_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/io/whole_file.hpp"
-#include "hamilcar/run/film.hpp"
 #include "hamilcar/run/record.hpp"
+#include "hamilcar/run/replay_rows.hpp"
 #include "hamilcar/run/scenario_checks.hpp"
 #include "hamilcar/run/scene.hpp"
+#include "hamilcar/run/validity_report.hpp"
+#include "interrupt.hpp"
 #include "maneuver.hpp"
 #include "progress.hpp"
 #include "resume.hpp"
@@ -24,35 +26,36 @@ namespace hamilcar::cli {
 
 namespace {
 
-void write_report(const std::string& path, io::PageRun run, const Simulation& simulation, const nlohmann::json& facts) {
-    io::Page page{.title = simulation.scenario().name, .subtitle = simulation.vehicle().name, .blocks = {}, .runs = {}};
-    page.blocks = {io::Replay{}, io::Heading{"Summary"}, summary_table(facts)};
+void write_page(const std::string& path, io::PageRun run, const RunReport& report) {
+    io::Page page{.title = report.scenario, .subtitle = report.vehicle, .blocks = {}, .runs = {}};
+    page.blocks.push_back(io::Replay{});
+    add_validity(report.run.validity, page);
+    page.blocks.push_back(io::Heading{"Summary"});
+    page.blocks.push_back(summary_table(report));
     page.runs.push_back(std::move(run));
     io::write_page(path, page);
 }
 
-io::ExitCode tell(const Options& options, const RunSummary& summary, const nlohmann::json& facts,
-                  const std::vector<std::string>& complaints) {
+// Prints the report, as JSON if asked for, and what is wrong with the run.
+io::ExitCode print(const RunOptions& options, const RunReport& report) {
     if (options.json) {
-        fmt::print("{}\n", io::json_text(facts));
+        fmt::print("{}\n", io::json_text(json_of(report)));
     } else {
-        print_summary(facts);
+        print_summary(report);
     }
-    const EnergyVerdict verdict = judge_energy(summary.worst_energy_drift, summary.turnover());
-    const double step = facts["step_s"].get<double>();
-    if (verdict == EnergyVerdict::doubtful) {
-        fmt::print(stderr,
-                   "hamilcar: warning: the energy balance is off by {:.3g} J of {:.3g} J; the step of {:g} s is too "
-                   "large for this run, its results are doubtful\n",
-                   summary.worst_energy_drift, summary.turnover(), step);
+    const RunSummary& summary = report.run;
+    const EnergyVerdict verdict = report.energy_verdict();
+    const double step = report.solver.step;
+    for (const ValidityWarning& warning : summary.validity) {
+        if (options.json || warning.is_numerical()) fmt::print(stderr, "hamilcar: warning: {}\n", sentence(warning));
     }
-    for (const std::string& complaint : complaints) fmt::print(stderr, "hamilcar: {}\n", complaint);
+    for (const std::string& warning : report.warnings) fmt::print(stderr, "hamilcar: {}\n", warning);
     if (summary.interrupted) {
         fmt::print(stderr, "hamilcar: interrupted at t = {:.3f} s; the results so far are kept\n", summary.duration);
         return io::ExitCode::interrupted;
     }
     if (summary.ended_early) {
-        fmt::print(stderr, "hamilcar: {}: {}\n", options.file, *summary.ended_early);
+        fmt::print(stderr, "hamilcar: {}: {}\n", options.scenario, *summary.ended_early);
         return io::ExitCode::numerical;
     }
     if (verdict == EnergyVerdict::wrong) {
@@ -61,7 +64,7 @@ io::ExitCode tell(const Options& options, const RunSummary& summary, const nlohm
             "hamilcar: {}: the energy balance is off by {:.3g} J of {:.3g} J, more than {:g} %: these results are "
             "no motion of the vehicle; try a smaller step than {:g} s, or look for a number of the vehicle that "
             "is far too small or too large\n",
-            options.file, summary.worst_energy_drift, summary.turnover(), 100 * EnergyBounds::wrong, step);
+            options.scenario, summary.max_balance_error, summary.energy_exchanged(), 100 * EnergyBounds::wrong, step);
         return io::ExitCode::numerical;
     }
     return io::ExitCode::ok;
@@ -72,24 +75,25 @@ void remove_files(std::initializer_list<std::string> paths) {
     for (const std::string& path : paths) std::filesystem::remove(path, gone_already);
 }
 
-std::string output_folder(const Options& options) {
-    return options.output.empty() ? "out/" + std::filesystem::path(options.file).stem().string() : options.output;
+std::string output_folder(const RunOptions& options) {
+    return options.output.empty() ? "out/" + std::filesystem::path(options.scenario).stem().string() : options.output;
 }
 
-void tell_remarks(const VehicleDescription& vehicle) {
-    for (const std::string& file : tire_files(vehicle)) {
-        const std::size_t notes = io::read_tir(file).notes.size();
-        if (notes > 0) fmt::print(stderr, "hamilcar: {}: {} remarks; 'hamilcar tire' lists them\n", file, notes);
+void print_remark_counts(const VehicleDescription& vehicle) {
+    for (const auto& [file, remarks] : tire_remarks(vehicle)) {
+        if (remarks.empty()) continue;
+        fmt::print(stderr, "hamilcar: {}: {} remarks; 'hamilcar tire' lists them\n", file, remarks.size());
     }
 }
 
 // The rows of the first part once more, then those from where the simulation stands to the end of the scenario.
-RunSummary record_run(const Options& options, const FirstPart& before, const Recorded& recorded, Simulation& simulation,
-                      RunFiles& files, Film& film, PathOnGround& path, Keeper& keeper) {
+RunSummary record_run(const RunOptions& options, const FirstPart& before, const Recorded& recorded,
+                      Simulation& simulation, RunFiles& files, ReplayRows& replay, PathOnGround& path,
+                      CheckpointKeeper& keeper) {
     const OutputDescription& output = simulation.scenario().output;
     const auto keep = [&](double time, std::span<const double> row) {
         files.write(time, row);
-        if (output.report) film.add(time, row);
+        if (output.report) replay.add(time, row);
     };
     std::vector<double> row(recorded.channels.size());
     for (std::size_t i = 0; i < before.count; ++i) {
@@ -101,7 +105,7 @@ RunSummary record_run(const Options& options, const FirstPart& before, const Rec
         }
     }
     files.take_place();
-    Progress progress(std::filesystem::path(options.file).stem().string());
+    Progress progress(std::filesystem::path(options.scenario).stem().string());
     const RunSummary summary = record(
         simulation, recorded.channels, output.interval,
         [&](const Sample& sample, const std::vector<double>& values) {
@@ -117,67 +121,86 @@ RunSummary record_run(const Options& options, const FirstPart& before, const Rec
     return summary;
 }
 
-io::ExitCode run_scenario(const Options& options, const ScenarioDescription& scenario, const Recorded& recorded,
-                          Simulation& simulation) {
+io::ExitCode run_scenario(const RunOptions& options, const ScenarioDescription& scenario, const Origin& origin,
+                          const Recorded& recorded, Simulation& simulation) {
     const std::string folder = output_folder(options);
     const io::FolderLock lock = take_folder(folder);
-    const std::string report = folder + "/report.html", told = folder + "/summary.json";
-    for (const std::string& path : {report, told, folder + "/results.nc", folder + "/results.csv"}) {
+    const std::string page = folder + "/report.html", summary_file = folder + "/summary.json";
+    for (const std::string& path : {page, summary_file, folder + "/results.nc", folder + "/results.csv"}) {
         io::expect_writable_place(path);  // before anything of an earlier run goes
     }
-    const bool may_resume = !options.checkpoint.empty() || !options.resume.empty();
-    const Origin origin = may_resume ? origin_of(options.file, scenario.vehicle) : Origin{};
     const FirstPart before = first_part(options, folder, scenario, recorded, simulation, origin);
-    Keeper keeper(options, simulation, before.progressed, origin);
-    if (options.resume.empty()) remove_files({report, told});
+    CheckpointKeeper keeper(options, simulation, before.progressed, origin);
+    if (options.resume.empty()) remove_files({page, summary_file});
     const InterruptWatch watch;
     RunFiles files(folder, scenario, recorded,
                    options.resume.empty() ? RunFiles::Place::taken : RunFiles::Place::beside);
-    Film film(scenario.name, recorded.scene, recorded.channels);
+    ReplayRows replay(scenario.name, recorded.scene, recorded.channels);
     PathOnGround path{before.progressed.x, before.progressed.y};
-    const RunSummary summary = record_run(options, before, recorded, simulation, files, film, path, keeper);
-    tell_remarks(simulation.vehicle());
+    const RunSummary summary = record_run(options, before, recorded, simulation, files, replay, path, keeper);
+    print_remark_counts(simulation.vehicle());
     const bool uneven = scenario.output.motion && scenario.road.is_uneven();
     if (uneven) files.announce_road();
-    if (scenario.output.report) files.add(report);
-    const nlohmann::json facts = summary_json(simulation, summary, files.paths());
-    write_file(told, io::json_text(facts) + "\n");
+    if (scenario.output.report) files.add(page);
+    const RunReport report = report_of(simulation, summary, files.paths());
+    write_file(summary_file, io::json_text(json_of(report)) + "\n");
     const bool kept = keeper.finish(simulation, summary, path);
-    const io::ExitCode outcome = tell(options, summary, facts, simulation.complaints());
+    const io::ExitCode outcome = print(options, report);
 
     // Pictures last: if the disk takes no more of them, all that matters has been said and written.
     const std::vector<RoadTile> tiles =
         tiles_along(simulation.model().road, uneven ? simulation.surface().get() : nullptr, path.x, path.y);
     files.write_road(tiles);
     if (scenario.output.report) {
-        io::PageRun film_of_run = film.take();
-        film_of_run.tiles = tiles;
-        write_report(report, std::move(film_of_run), simulation, facts);
+        io::PageRun shown = replay.take();
+        shown.tiles = tiles;
+        write_page(page, std::move(shown), report);
     }
     return kept ? outcome : io::ExitCode::input_output;
 }
 
-}  // namespace
-
-io::ExitCode run(const Options& options) {
+io::ExitCode run(const RunOptions& options) {
     if (!options.maneuver.empty()) return run_maneuver(options);
-    if (options.file.empty()) {
+    if (options.scenario.empty()) {
         throw io::Error(io::ExitCode::usage, "run: expected a scenario file, or --maneuver NAME");
     }
-    ScenarioDescription scenario = io::read_scenario(options.file);
+    io::Node scenario_file = io::read_toml(options.scenario);
+    ScenarioDescription scenario = io::read_scenario(scenario_file);
     if (!options.vehicle.empty()) scenario.vehicle = options.vehicle;
     if (!scenario.maneuver.name.empty()) return run_maneuver(scenario, options);
     if (!options.settings.empty()) {
-        throw io::Error(io::ExitCode::usage, "run: --set belongs to a maneuver; " + options.file + " asks for none");
+        throw io::Error(io::ExitCode::usage,
+                        "run: --set belongs to a maneuver; " + options.scenario + " asks for none");
     }
     check_can_resume(options, scenario);
-    if (options.step > 0) scenario.solver.step = options.step;
-    const VehicleDescription vehicle = in_files(
-        options.file, scenario.vehicle, [&] { return as_driven(io::read_vehicle(scenario.vehicle), scenario); });
-    const Recorded recorded =
-        in_files(options.file, scenario.vehicle, [&] { return choose_channels(vehicle, scenario); });
-    Simulation simulation = in_files(options.file, scenario.vehicle, [&] { return Simulation(vehicle, scenario); });
-    return run_scenario(options, scenario, recorded, simulation);
+    if (options.step) scenario.solver.step = *options.step;
+    io::Node vehicle_file = io::read_toml(scenario.vehicle);
+    const VehicleDescription vehicle = as_driven(io::read_vehicle(vehicle_file), scenario);
+    const Recorded recorded = choose_channels(vehicle, scenario);
+    Simulation simulation(vehicle, scenario);
+    const bool may_resume = !options.checkpoint.empty() || !options.resume.empty();
+    const Origin origin = may_resume ? origin_of(std::move(scenario_file), vehicle_file) : Origin{};
+    return run_scenario(options, scenario, origin, recorded, simulation);
+}
+
+}  // namespace
+
+void add_run(CommandList& list) {
+    auto [command, o] =
+        list.add<RunOptions>("run", "run a scenario and write its results as CSV, netCDF and a page", run);
+    const Option scenario = command.add("scenario", o.scenario, "scenario file (TOML)");
+    command.add("-o,--output", o.output, "folder for the results [out/NAME]");
+    command.add("--maneuver", o.maneuver, "a standard maneuver instead ('hamilcar maneuvers')").excludes(scenario);
+    command.add("--vehicle", o.vehicle, "vehicle file (TOML) [the scenario's; the shipped 323i]");
+    command.add("--set", o.settings, "a setting of the maneuver, NAME=VALUE; may be repeated");
+    command.add("--step", o.step, {io::time_step.min, io::time_step.max, "s"},
+                "of the integration, instead of the scenario's");
+    const Option checkpoint =
+        command.add("--checkpoint", o.checkpoint, "file that the run can be resumed from, kept up to date");
+    command.add("--checkpoint-interval", o.checkpoint_interval, {1e-6, 1e9, "s"}, "of simulated time, else at the end")
+        .needs(checkpoint);
+    command.add("--resume", o.resume, "go on from such a file");
+    command.add_json(o.json);
 }
 
 }  // namespace hamilcar::cli

@@ -10,7 +10,7 @@ namespace hamilcar::cli {
 
 Recorded choose_channels(const VehicleDescription& vehicle, const ScenarioDescription& scenario) {
     const std::vector<Channel> all = all_channels(vehicle);
-    Recorded recorded{select_channels(all, scenario.output.channels), 0, {}};
+    Recorded recorded{select_channels(all, scenario.output.channels, scenario.places), 0, {}};
     recorded.chosen = recorded.channels.size();
     if (!scenario.output.motion) return recorded;
     recorded.scene = scene_json(vehicle, scenario);

@@ -2,13 +2,28 @@
 #include "hamilcar/io/schema.hpp"
 
 #include "commands.hpp"
+#include "files.hpp"
 
 namespace hamilcar::cli {
 
-io::ExitCode schema(const Options& options) {
-    const std::string text = options.file == "vehicle" ? io::vehicle_schema() : io::scenario_schema();
-    print_or_write(options.output, text);
+namespace {
+
+struct SchemaOptions {
+    std::string kind, output;
+};
+
+io::ExitCode schema(const SchemaOptions& options) {
+    print_or_write(options.output, options.kind == "vehicle" ? io::vehicle_schema() : io::scenario_schema());
     return io::ExitCode::ok;
+}
+
+}  // namespace
+
+void add_schema(CommandList& list) {
+    auto [command, o] =
+        list.add<SchemaOptions>("schema", "print the JSON Schema of vehicle or scenario files, for editors", schema);
+    command.add("kind", o.kind, "vehicle or scenario").required().one_of({"vehicle", "scenario"});
+    command.add("-o,--output", o.output, "file for the schema, instead of standard output");
 }
 
 }  // namespace hamilcar::cli

@@ -2,115 +2,129 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
-#include "hamilcar/analysis/energy_bounds.hpp"
+#include "hamilcar/run/validity_report.hpp"
 
 namespace hamilcar::cli {
 
 namespace {
+
 // JSON has no NaN: null where a run did not keep the number.
 nlohmann::json kept(double number) {
     return std::isnan(number) ? nlohmann::json(nullptr) : nlohmann::json(number);
 }
 
-// What is printed as zero with so many digits has no sign.
-double unsigned_zero(double number, int digits) {
-    return std::abs(number) < 0.5 * std::pow(10, -digits) ? 0 : number;
+nlohmann::json or_null(const std::optional<std::string>& text) {
+    return text ? nlohmann::json(*text) : nlohmann::json(nullptr);
 }
 
-// What the run is worth by its energy account.
-std::string balance_word(const RunSummary& summary) {
-    if (std::isnan(summary.worst_energy_drift)) return "not kept";
-    switch (judge_energy(summary.worst_energy_drift, summary.turnover())) {
+const char* constraints_word(const RunReport& report) {
+    return report.solver.constraints == ConstraintMode::exact ? "exact" : "stabilized";
+}
+
+// What the run is worth by its energy balance.
+const char* balance_word(const RunReport& report) {
+    if (std::isnan(report.run.max_balance_error)) return "not kept";
+    switch (report.energy_verdict()) {
         case EnergyVerdict::fine: return "closed";
         case EnergyVerdict::doubtful: return "doubtful";
         case EnergyVerdict::wrong: return "wrong";
     }
     return "";
 }
+
 }  // namespace
 
-nlohmann::json summary_json(const Simulation& simulation, const RunSummary& summary,
-                            const std::vector<std::string>& files) {
+RunReport report_of(const Simulation& simulation, const RunSummary& run, const std::vector<std::string>& files) {
     const Sample end = simulation.sample();
-    nlohmann::json state;
+    RunReport report{.scenario = simulation.scenario().name,
+                     .vehicle = simulation.vehicle().name,
+                     .solver = simulation.scenario().solver,
+                     .stabilization_gain = simulation.model().stabilization_gain,
+                     .run = run,
+                     .energy = end.energy,
+                     .end_state = {},
+                     .files = files,
+                     .ended_by = simulation.ending(),
+                     .warnings = simulation.warnings()};
     for (const Channel& channel : all_channels(simulation.vehicle())) {
         const std::string& name = channel.column.name;
         if (name.starts_with("chassis.position") || name.starts_with("chassis.velocity") ||
             name.starts_with("chassis.angle")) {
-            state[name] = {{"value", channel.read(end)}, {"unit", channel.column.unit}};
+            report.end_state.push_back({name, channel.column.unit, channel.read(end)});
         }
     }
-    const SolverDescription& solver = simulation.scenario().solver;
-    const std::optional<std::string> ended_by = simulation.ending();
-    nlohmann::json facts = {
-        {"scenario", simulation.scenario().name},
-        {"vehicle", simulation.vehicle().name},
-        {"integrator", solver.integrator},
-        {"step_s", solver.step},
-        {"constraints", solver.constraints == ConstraintMode::exact ? "exact" : "stabilized"},
-        {"stabilization_gain_per_s", simulation.model().stabilization_gain},
-        {"simulated_s", summary.duration},
-        {"steps", summary.steps},
-        {"wall_s", summary.wall_time},
-        {"real_time_factor", summary.real_time_factor()},
-        {"worst_constraint_opening_m", summary.worst_opening},
-        {"energy",
-         {{"kinetic_J", end.energy.kinetic},
-          {"potential_J", end.energy.potential},
-          {"work_J", kept(end.energy.work)},
-          {"worst_balance_error_J", kept(summary.worst_energy_drift)},
-          {"largest_kinetic_J", summary.largest_kinetic_energy},
-          {"turnover_J", summary.turnover()},
-          {"balance", balance_word(summary)}}},
-        {"end_state", state},
-        {"files", files},
-        {"ended_early", summary.ended_early ? nlohmann::json(*summary.ended_early) : nlohmann::json(nullptr)},
-        {"ended_by", ended_by ? nlohmann::json(*ended_by) : nlohmann::json(nullptr)},
-        {"complaints", simulation.complaints()},
-        {"interrupted", summary.interrupted},
-    };
-    return facts;
+    std::ranges::sort(report.end_state, {}, &RunReport::Value::name);
+    return report;
 }
 
-io::Table summary_table(const nlohmann::json& facts) {
-    io::Table table{"What the run has to say of itself", {{"", ""}, {"value", ""}, {"unit", ""}}, {}};
-    const auto add = [&](const char* name, const nlohmann::json& value, const char* unit) {
-        io::Cell cell;
-        if (value.is_string()) cell = value.get<std::string>();
-        if (value.is_number()) cell = value.get<double>();
-        table.rows.push_back({std::string(name), cell, std::string(unit)});
+nlohmann::json json_of(const RunReport& report) {
+    nlohmann::json state;
+    for (const RunReport::Value& v : report.end_state) state[v.name] = {{"value", v.value}, {"unit", v.unit}};
+    return {
+        {"scenario", report.scenario},
+        {"vehicle", report.vehicle},
+        {"integrator", report.solver.integrator},
+        {"step_s", report.solver.step},
+        {"constraints", constraints_word(report)},
+        {"stabilization_gain_per_s", report.stabilization_gain},
+        {"simulated_s", report.run.duration},
+        {"steps", report.run.steps},
+        {"wall_s", report.run.wall_time},
+        {"real_time_factor", report.run.real_time_factor()},
+        {"max_constraint_violation_m", report.run.max_violation},
+        {"energy",
+         {{"kinetic_J", report.energy.kinetic},
+          {"potential_J", report.energy.potential},
+          {"work_J", kept(report.energy.work)},
+          {"max_balance_error_J", kept(report.run.max_balance_error)},
+          {"max_kinetic_J", report.run.max_kinetic_energy},
+          {"exchanged_J", report.run.energy_exchanged()},
+          {"balance", balance_word(report)}}},
+        {"end_state", state},
+        {"files", report.files},
+        {"ended_early", or_null(report.run.ended_early)},
+        {"ended_by", or_null(report.ended_by)},
+        {"warnings", report.warnings},
+        {"validity", validity_json(report.run.validity)},
+        {"interrupted", report.run.interrupted},
     };
-    const auto& energy = facts["energy"];
-    add("scenario", facts["scenario"], ""), add("vehicle", facts["vehicle"], "");
-    add("integrator", facts["integrator"], ""), add("constraints", facts["constraints"], "");
-    add("step", facts["step_s"], "s"), add("simulated", facts["simulated_s"], "s"), add("steps", facts["steps"], "");
-    add("largest opening of a cut joint", facts["worst_constraint_opening_m"], "m");
-    add("largest kinetic energy", energy["largest_kinetic_J"], "J"), add("work", energy["work_J"], "J");
-    add("largest error of the energy balance", energy["worst_balance_error_J"], "J");
-    add("energy balance", energy["balance"], "");
-    if (!facts["ended_early"].is_null()) add("ended early", facts["ended_early"], "");
-    if (!facts["ended_by"].is_null()) add("ended by", facts["ended_by"], "");
-    for (const auto& complaint : facts["complaints"]) add("could not be done", complaint, "");
-    for (const auto& [name, entry] : facts["end_state"].items()) {
-        add(("at the end: " + name).c_str(), entry["value"], entry["unit"].get<std::string>().c_str());
-    }
+}
+
+io::Table summary_table(const RunReport& report) {
+    io::Table table{"Summary of the run", {{"", ""}, {"value", ""}, {"unit", ""}}, {}};
+    const auto add = [&](const std::string& name, const io::Cell& value, const std::string& unit = "") {
+        const auto* number = std::get_if<double>(&value);
+        table.rows.push_back({name, number && std::isnan(*number) ? io::Cell() : value, unit});
+    };
+    add("scenario", report.scenario), add("vehicle", report.vehicle);
+    add("integrator", report.solver.integrator), add("constraints", std::string(constraints_word(report)));
+    add("step", report.solver.step, "s"), add("simulated", report.run.duration, "s");
+    add("steps", double(report.run.steps));
+    add("largest violation of a cut joint", report.run.max_violation, "m");
+    add("largest kinetic energy", report.run.max_kinetic_energy, "J"), add("work", report.energy.work, "J");
+    add("largest error of the energy balance", report.run.max_balance_error, "J");
+    add("energy balance", std::string(balance_word(report)));
+    if (report.run.ended_early) add("ended early", *report.run.ended_early);
+    if (report.ended_by) add("ended by", *report.ended_by);
+    for (const std::string& warning : report.warnings) add("driver warning", warning);
+    for (const RunReport::Value& v : report.end_state) add("at the end: " + v.name, v.value, v.unit);
     return table;
 }
 
-void print_summary(const nlohmann::json& facts) {
-    const auto& energy = facts["energy"];
+void print_summary(const RunReport& report) {
+    // What is printed as zero with so many digits has no sign.
     const auto value = [&](const char* name, int digits = 3) {
-        return unsigned_zero(facts["end_state"][name]["value"].get<double>(), digits);
+        const double number = std::ranges::find(report.end_state, name, &RunReport::Value::name)->value;
+        return std::abs(number) < 0.5 * std::pow(10, -digits) ? 0 : number;
     };
-    fmt::print("{} with {}: {:.6g} s in {} steps of {:g} s ({}, {} constraints)\n",
-               facts["scenario"].get<std::string>(), facts["vehicle"].get<std::string>(),
-               facts["simulated_s"].get<double>(), facts["steps"].get<long>(), facts["step_s"].get<double>(),
-               facts["integrator"].get<std::string>(), facts["constraints"].get<std::string>());
-    if (!facts["ended_by"].is_null()) {
-        fmt::print("  ended by         {}\n", facts["ended_by"].get<std::string>());
-    }
+    fmt::print("{} with {}: {:.6g} s in {} steps of {:g} s ({}, {} constraints)\n", report.scenario, report.vehicle,
+               report.run.duration, report.run.steps, report.solver.step, report.solver.integrator,
+               constraints_word(report));
+    if (report.ended_by) fmt::print("  ended by         {}\n", *report.ended_by);
     fmt::print("  end state        x {:.3f}, y {:.3f}, z {:.4f} m\n", value("chassis.position.x"),
                value("chassis.position.y"), value("chassis.position.z", 4));
     const double x = value("chassis.velocity.x"), y = value("chassis.velocity.y"), z = value("chassis.velocity.z");
@@ -118,17 +132,17 @@ void print_summary(const nlohmann::json& facts) {
                z, std::hypot(x, y, z));
     fmt::print("                   roll {:.3f}, pitch {:.3f}, yaw {:.3f} deg\n", value("chassis.angle.roll"),
                value("chassis.angle.pitch"), value("chassis.angle.yaw"));
-    fmt::print("  joints           open by {:.2e} m at most\n", facts["worst_constraint_opening_m"].get<double>());
-    if (energy["work_J"].is_null()) {
-        fmt::print("  energy           kinetic {:.1f} J; no balance kept\n", energy["kinetic_J"].get<double>());
+    fmt::print("  joints           open by {:.2e} m at most\n", report.run.max_violation);
+    if (std::isnan(report.energy.work)) {
+        fmt::print("  energy           kinetic {:.1f} J; no balance kept\n", report.energy.kinetic);
     } else {
         fmt::print("  energy           kinetic {:.1f} J, work {:.1f} J; balance within {:.2e} J\n",
-                   energy["kinetic_J"].get<double>(), energy["work_J"].get<double>(),
-                   energy["worst_balance_error_J"].get<double>());
+                   report.energy.kinetic, report.energy.work, report.run.max_balance_error);
     }
-    fmt::print("  speed            {:.3f} s, {:.0f} times real time\n", facts["wall_s"].get<double>(),
-               facts["real_time_factor"].get<double>());
-    for (const auto& file : facts["files"]) fmt::print("  wrote            {}\n", file.get<std::string>());
+    fmt::print("  speed            {:.3f} s, {:.0f} times real time\n", report.run.wall_time,
+               report.run.real_time_factor());
+    for (const ValidityWarning& warning : report.run.validity) fmt::print("  validity         {}\n", sentence(warning));
+    for (const std::string& file : report.files) fmt::print("  wrote            {}\n", file);
 }
 
 }  // namespace hamilcar::cli

@@ -10,6 +10,7 @@ import sys
 
 # Lowest first; rooms of one row do not include each other.
 LAYERS = [
+    ["base"],
     ["description", "program"],
     ["scalar"],
     ["math"],

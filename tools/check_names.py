@@ -18,10 +18,17 @@ FUNCTION = re.compile(r"^inline [^=]*?(\w+)(\([^{;]*\)) (?:const )?(?:noexcept )
 # Retired words and what to write instead. A name counts word by word, `SpokeSize` and `spoke_size` as "spoke size".
 RETIRED = {
     r"abreast": "side by side",
+    r"(?:energy )?books|energy book": "energy balance",
+    r"c[ao]mes? apart": "constraint violation",
+    r"contestants?": "benchmark case",
+    r"films?": "replay",
     r"flush tiny numbers": "FlushDenormals",
     r"garage": "catalog",
     r"guests?": "client",
+    r"(?<!wheel )(?<!crash )hubs?": "chassis, or wheel hub",
+    r"lay over": "merge",
     r"lobby|(wake up )?bell(?! crank)": "connections, wake-up",
+    r"nobodys?|whoever": "no driver, a caller",
     r"senses": "observation",
     r"spokes?": "suspension",
     r"turns? of the ring|turn ring|ring turn": "right-hand side",
@@ -50,7 +57,7 @@ def definitions(path):
 def retired_words(path):
     """Yields (word, replacement, line) of a source or a page."""
     for number, line in enumerate(path.read_text().splitlines(), 1):
-        words = " ".join(WORD.findall(line))
+        words = " ".join(WORD.findall(line.replace('nobody"', "")))  # a value of the page's protocol
         for found in RETIRED_ANY.finditer(words.lower()):
             yield found[0], list(RETIRED.values())[int(found.lastgroup[1:])], number
 

@@ -2,7 +2,7 @@
 """Fails where docs/suspensions/ lags behind the recipes: a keyword without page, picture or line in the index, a key
 that a page's table lacks or has too many, a kind or a default that is not the recipe's.
 
-Recipes are read from hamilcar/suspension/*_recipes.cpp as text: a key is `{"key", kind, "meaning", ...}`, named keys
+Recipes are read from hamilcar/suspension/*.cpp as text: a key is `{"key", kind, "meaning", ...}`, named keys
 stand as `const(expr) HardpointKey name{...}`, and `with_steering(...)` adds those of that function.
 """
 
@@ -30,7 +30,7 @@ def keys_in(code, named):
 def recipes():
     """{keyword: (keys, has a rocker)}"""
     out = {}
-    for file in sorted((ROOT / "hamilcar/suspension").glob("*_recipes.cpp")):
+    for file in sorted((ROOT / "hamilcar/suspension").glob("*.cpp")):
         code = re.sub(r"//[^\n]*", "", file.read_text())
         named = {m[1]: keys_in(m[2], {}) for m in NAMED.finditer(code)}
         steering = re.search(r"with_steering\(std::vector.*?^\}", code, re.M | re.S)

@@ -10,12 +10,12 @@ import sys
 
 from suspension_sketches.axles import four_link_axle, leaf_axle, panhard_axle, twist_beam, watt_axle
 from suspension_sketches.hardpoints import PAGES, ROOT
-from suspension_sketches.independent import (double_wishbone, five_link, h_arm, linkage, macpherson, semi_trailing_arm,
+from suspension_sketches.independent import (double_wishbone, five_link, h_arm, integral_link, linkage, macpherson, semi_trailing_arm,
                                              swing_axle, trailing_arm)
 from suspension_sketches.picture import picture
 from suspension_sketches.trailers import trailers
 
-SKETCHES = [macpherson, double_wishbone, five_link, semi_trailing_arm, trailing_arm, swing_axle, h_arm, twist_beam,
+SKETCHES = [macpherson, double_wishbone, five_link, semi_trailing_arm, trailing_arm, swing_axle, h_arm, integral_link, twist_beam,
             four_link_axle, panhard_axle, watt_axle, leaf_axle, linkage]
 
 

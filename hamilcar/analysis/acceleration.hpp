@@ -1,5 +1,7 @@
-// How the chassis accelerates, for accelerometers: states are momenta, so that no block computes it.
+// How the vehicle accelerates: states are momenta, so that no block computes it.
 #pragma once
+
+#include <array>
 
 #include "hamilcar/block/momenta.hpp"
 
@@ -11,6 +13,14 @@ namespace hamilcar {
 Vec3<double> acceleration_at(const Model<double>& model, const State<double>& state, const Input<double>& input,
                              const Velocity<double>& velocity, const Momenta<double>& momenta,
                              const Vec3<double>& point);
+
+// Longitudinal and lateral acceleration, the one meaning that the words have in channels, maneuvers and documents: of the motor
+// vehicle's center of mass with its wheels, horizontal, along and across the heading (ISO 8855, intermediate axes) [m/s^2].
+// A vehicle alone moves as all external forces say; what a trailer does through the hitch is in none of them, so that the
+// motion of a tractor comes from `acceleration_at`.
+std::array<double, 2> horizontal_acceleration(const Model<double>& model, const State<double>& state,
+                                              const Input<double>& input, const Velocity<double>& velocity,
+                                              const Momenta<double>& momenta);
 
 // The state that a short time leads to at the present rates, and the input then [s].
 State<double> state_after(const Model<double>& model, const State<double>& state, const State<double>& rate,

@@ -1,5 +1,5 @@
-// Energy of a car, and the balance that must hold whatever the driver does: kinetic + potential - drift - work is constant
-// (docs/theory/formulation.md, energy). The drift, sum x.h, is what the prescribed rack's motion carries.
+// Energy of a car, and the balance that must hold whatever the driver does: kinetic + potential - prescribed - work is
+// constant (docs/theory/formulation.md, energy). The prescribed part, sum x.h, is what the motion of the rack holds.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@ namespace hamilcar {
 
 template <class T>
 struct Energy {
-    T kinetic, potential, drift, work;  // [J]
-    T balance() const { return kinetic + potential - drift - work; }
+    T kinetic, potential, prescribed, work;  // [J]
+    T balance() const { return kinetic + potential - prescribed - work; }
 };
 
 // Of one suspension; `height` of a point in the axes of its unit.
@@ -25,7 +25,7 @@ void add_energy_of(const Suspension<T>& suspension, const SuspensionVelocity<T>&
         const Spatial<T> Mv = at.inertia[i] * motion;
         e.kinetic += T(0.5) * motion.dot(Mv);
         e.potential += body.mass * gravity * height(at.at.pose[frame].point(body.center));
-        e.drift += at.at.motion.x[frame].dot(Mv);
+        e.prescribed += at.at.motion.x[frame].dot(Mv);
     }
     for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
         const SuspensionWheel<T>& wheel = suspension.wheels[i];
@@ -37,7 +37,7 @@ void add_energy_of(const Suspension<T>& suspension, const SuspensionVelocity<T>&
             e.potential +=
                 std::visit([&](const auto& tire) { return tire.potential(f.tires[k].frame.depth); }, wheel.tire);
         }
-        e.drift += angular(at.at.motion.x[wheel.frame]).dot(at.spin_momentum[i]);
+        e.prescribed += angular(at.at.motion.x[wheel.frame]).dot(at.spin_momentum[i]);
     }
     for (std::size_t i = 0; i < suspension.springs.size(); ++i) {
         e.potential += suspension.springs[i].spring.potential(momenta.springs[i].length);
@@ -98,7 +98,7 @@ Energy<T> energy(const Model<T>& model, const State<T>& state, const Velocity<T>
     }
     e.potential = vehicle.chassis.mass * vehicle.gravity * height(vehicle.chassis.center) +
                   vehicle.hull.potential(hull_road(model, state, velocity));
-    e.drift = T(0);
+    e.prescribed = T(0);
     e.work = state.work();
     add_suspension_energy(model, state, velocity, momenta, e);
     return e;

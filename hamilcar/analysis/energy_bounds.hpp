@@ -8,12 +8,12 @@
 namespace hamilcar {
 
 struct EnergyBounds {
-    static constexpr double doubtful = 0.01;  // above: a warning
-    static constexpr double wrong = 0.1;      // above: a failure; these numbers are no motion of the vehicle
-    static constexpr double least = 1;        // what a vehicle at rest may be off without a word [J]
+    static constexpr double doubtful = 0.001;  // above: told as a limit of validity (docs/validity.md)
+    static constexpr double wrong = 0.1;       // above: a failure; these numbers are no motion of the vehicle
+    static constexpr double ignored = 1;       // what a vehicle at rest may be off without a word [J]
 };
 
-// What a balance is off by, of the difference found [J]: a NaN where nobody keeps an account, infinite where numbers that
+// What a balance is off by, of the difference found [J]: a NaN where no account is kept, infinite where numbers that
 // are too large have left none.
 constexpr double account_error(double difference, bool is_kept) {
     if (!is_kept) return std::numeric_limits<double>::quiet_NaN();
@@ -23,13 +23,13 @@ constexpr double account_error(double difference, bool is_kept) {
 
 enum class EnergyVerdict { fine, doubtful, wrong };
 
-// Of an `account_error` where `turnover` was moved in all, both [J].
-constexpr EnergyVerdict judge_energy(double error, double turnover) {
-    if (!(error > EnergyBounds::least)) return EnergyVerdict::fine;
-    if (!(error <= EnergyBounds::wrong * turnover && error <= std::numeric_limits<double>::max())) {
+// Of an `account_error` where `exchanged` was moved in all, both [J].
+constexpr EnergyVerdict judge_energy(double error, double exchanged) {
+    if (!(error > EnergyBounds::ignored)) return EnergyVerdict::fine;
+    if (!(error <= EnergyBounds::wrong * exchanged && error <= std::numeric_limits<double>::max())) {
         return EnergyVerdict::wrong;
     }
-    return error > EnergyBounds::doubtful * turnover ? EnergyVerdict::doubtful : EnergyVerdict::fine;
+    return error > EnergyBounds::doubtful * exchanged ? EnergyVerdict::doubtful : EnergyVerdict::fine;
 }
 
 }  // namespace hamilcar

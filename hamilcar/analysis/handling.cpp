@@ -11,13 +11,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "hamilcar/analysis/held_axle.hpp"
 #include "hamilcar/analysis/no_solution.hpp"
+#include "hamilcar/math/dense.hpp"
 #include "hamilcar/steering/column.hpp"
 
 namespace hamilcar {
@@ -41,7 +41,7 @@ SteadyChange steady_change(const LinearModel& m, double speed, double yaw_rate) 
     }
     Eigen::VectorXd wanted = Eigen::VectorXd::Zero(n + 2);
     wanted[n] = speed, wanted[n + 1] = yaw_rate;
-    const Eigen::VectorXd x = steady.partialPivLu().solve(wanted);
+    const Eigen::VectorXd x = solve(steady, wanted);
     return {x[n], m.C * x.head(n) + m.D.col(rack) * x[n] + m.D.col(drive_torque) * x[n + 1]};
 }
 

@@ -1,10 +1,10 @@
 #include "hamilcar/analysis/held_axle.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "hamilcar/block/initial_process.hpp"
+#include "hamilcar/math/dense.hpp"
 
 namespace hamilcar {
 
@@ -59,11 +59,11 @@ std::string HeldAxle::move(double left, double right, double rack) {
 
 double HeldAxle::turned_since(const std::vector<WheelMotion>& earlier) const {
     const std::vector<WheelMotion> now = wheels();
-    double most = 0;
+    double largest = 0;
     for (const std::size_t wheel : {axle_.left, axle_.right}) {
-        most = std::max(most, (now[wheel].axis - earlier[wheel].axis).norm());
+        largest = std::max(largest, (now[wheel].axis - earlier[wheel].axis).norm());
     }
-    return most;
+    return largest;
 }
 
 Eigen::VectorXd HeldAxle::motion_for(const WheelMotion& left, const WheelMotion& right, const Eigen::Vector2d& rates) {
@@ -78,7 +78,7 @@ Eigen::VectorXd HeldAxle::motion_for(const WheelMotion& left, const WheelMotion&
     for (Eigen::Index j = 0; j < n_right; ++j) {
         rise(1, n_left + j) = velocity_at<double>(right.J[static_cast<std::size_t>(j)], right.center)[2];
     }
-    return rise.completeOrthogonalDecomposition().solve(rates);
+    return shortest_least_squares(rise, rates);
 }
 
 double HeldAxle::travel(std::size_t wheel) const {
@@ -87,10 +87,10 @@ double HeldAxle::travel(std::size_t wheel) const {
 }
 
 std::string HeldAxle::reach(double left_travel, double right_travel) {
-    constexpr int most = 20;
+    constexpr int max_iterations = 20;
     const RackMotion<double> rack{rack_, 0, 0};
     double miss = 0;
-    for (int i = 0; i < most; ++i) {
+    for (int i = 0; i < max_iterations; ++i) {
         close_loops(*model_, rack, state_, 8);
         const std::vector<WheelMotion> all = wheels();
         const WheelMotion &left = all[axle_.left], &right = all[axle_.right];

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -122,7 +121,7 @@ AxleFigures read_axle(const HeldAxle& axle, const AxleFacts& facts) {
                          velocity_at<double>(carrier_motion(right, roll, sides.right.first), at_right)[1];
     // What the contacts move sideways in roll the chassis would move over the road: the axis lies that much higher.
     out.roll_center = 0.5 * (at_left[1] - at_right[1]) * 0.5 * aside;
-    out.ackermann = none;
+    out.roll_stiffness = out.ackermann = none;  // of differences, by the sweep
     const bool to_left = out.left.steer + out.right.steer > 0;
     const double inner = std::abs(to_left ? out.left.steer : out.right.steer),
                  outer = std::abs(to_left ? out.right.steer : out.left.steer);
@@ -133,15 +132,29 @@ AxleFigures read_axle(const HeldAxle& axle, const AxleFacts& facts) {
     return out;
 }
 
-// Vertical force of the springs on both wheels in a common bump, per wheel.
-double spring_force(const HeldAxle& axle, const AxleFacts& facts) {
+// Power of the springs while both wheels move at those rates [m/s].
+double spring_power(const HeldAxle& axle, const AxleFacts& facts, const std::array<double, 2>& rates) {
     const std::vector<WheelMotion> all = axle.wheels();
     const WheelMotion &left = all[facts.wheels.left], &right = all[facts.wheels.right];
-    const bool shared = share_suspension(left, right);
-    const Eigen::VectorXd bump = HeldAxle::motion_for(left, right, {1, 1});
-    double power = spring_lift(left, bump, 0);
-    if (!shared) power += spring_lift(right, bump, static_cast<Eigen::Index>(left.coordinates.size()));
-    return power / 2;
+    const Eigen::VectorXd motion = HeldAxle::motion_for(left, right, {rates[0], rates[1]});
+    const double power = spring_lift(left, motion, 0);
+    if (share_suspension(left, right)) return power;
+    return power + spring_lift(right, motion, static_cast<Eigen::Index>(left.coordinates.size()));
+}
+
+// How the springs' forces change about the axle's position: by differences, in a common bump and in roll.
+void add_spring_rates(const HeldAxle& axle, const AxleFacts& facts, const Vec3<double>& target, AxleFigures& row) {
+    constexpr double step = 1e-4;  // [m]
+    const auto slope = [&](const std::array<double, 2>& way) {
+        HeldAxle nearby = axle;
+        if (!nearby.move(target[0] + step * way[0], target[1] + step * way[1], target[2]).empty()) return none;
+        const double above = spring_power(nearby, facts, way);
+        if (!nearby.move(target[0] - step * way[0], target[1] - step * way[1], target[2]).empty()) return none;
+        return (above - spring_power(nearby, facts, way)) / (2 * step);
+    };
+    const double half_track = facts.track / 2;  // travel of a wheel per roll
+    row.left.wheel_rate = row.right.wheel_rate = slope({1, 1}) / 2;
+    row.roll_stiffness = slope({1, -1}) * half_track * half_track;
 }
 
 Sweep sweep(const VehicleDescription& vehicle, const Model<double>& model, const AxleFacts& facts, const char* name,
@@ -160,14 +173,7 @@ Sweep sweep(const VehicleDescription& vehicle, const Model<double>& model, const
                 break;
             }
             AxleFigures row = read_axle(axle, facts);
-            constexpr double step = 1e-4;
-            HeldAxle nearby = axle;
-            if (nearby.move(target[0] + step, target[1] + step, target[2]).empty()) {
-                const double above = spring_force(nearby, facts);
-                if (nearby.move(target[0] - step, target[1] - step, target[2]).empty()) {
-                    row.left.wheel_rate = row.right.wheel_rate = (above - spring_force(nearby, facts)) / (2 * step);
-                }
-            }
+            add_spring_rates(axle, facts, target, row);
             (direction < 0 ? below : out.rows).push_back(row);
         }
     }

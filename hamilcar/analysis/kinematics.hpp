@@ -25,9 +25,10 @@ struct WheelFigures {
 struct AxleFigures {
     double travel, roll, rack;  // what was asked for [m], [rad], [m]
     WheelFigures left, right;
-    double track_change;  // [m]
-    double roll_center;   // height over the road at design [m]
-    double ackermann;     // inner wheel's steer less what the outer one's calls for [rad]; NaN while straight
+    double track_change;    // [m]
+    double roll_center;     // height over the road at design [m]
+    double roll_stiffness;  // moment of the springs against the body's roll per angle, without bars [N m/rad]
+    double ackermann;       // inner wheel's steer less what the outer one's calls for [rad]; NaN while straight
 };
 
 struct Sweep {

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <complex>
 
 #include "hamilcar/analysis/loops.hpp"
 #include "hamilcar/block/equilibrium.hpp"
 #include "hamilcar/block/initial_process.hpp"
+#include "hamilcar/math/dense.hpp"
 
 namespace hamilcar {
 
@@ -44,7 +44,7 @@ Linearizer::Linearizer(const VehicleDescription& vehicle, const Point* seat)
     : vehicle_(for_linearizing(vehicle)),
       seat_(seat ? *seat : vehicle.chassis.center_of_mass),
       model_{.vehicle = Vehicle<double>(vehicle_), .road = PlaneRoad<double>(0, 0, 1)},
-      reduced_(vehicle_, model_.vehicle) {}
+      reduced_(vehicle_) {}
 
 OperatingPoint Linearizer::at_rest() const {
     OperatingPoint out;
@@ -74,7 +74,7 @@ Eigen::VectorXd left_over(const LinearModel& m, const Operation& wanted, double 
     r << m.rate, m.output[output_speed] - wanted.speed,
         m.output[output_speed] * m.output[output_yaw_rate] - wanted.lateral_acceleration;
     for (std::size_t i = 0; i < m.states.size(); ++i) {
-        if (m.states[i].find("momentum") != std::string::npos) r[static_cast<Eigen::Index>(i)] /= weight;
+        if (is_momentum(m.state_kinds[i])) r[static_cast<Eigen::Index>(i)] /= weight;
     }
     return r;
 }
@@ -97,7 +97,7 @@ double Linearizer::improve(OperatingPoint& at) const {
     if (r.norm() < steady_accuracy) return r.norm();
     Eigen::VectorXd unscaled = r;
     unscaled.head(n) = m.rate;
-    const Eigen::VectorXd step = jacobian.partialPivLu().solve(unscaled);
+    const Eigen::VectorXd step = solve(jacobian, unscaled);
     at.residual = m.rate.cwiseAbs().maxCoeff();
     for (double share = 1; share > 1e-3; share /= 2) {
         OperatingPoint next = at;
@@ -130,10 +130,10 @@ OperatingPoint Linearizer::operating_point(const Operation& operation) const {
     const int stages = 1 + static_cast<int>(std::ceil(std::abs(operation.lateral_acceleration) / lead));
     for (int stage = 0; stage < stages; ++stage) {
         at.operation.lateral_acceleration = stages == 1 ? 0 : operation.lateral_acceleration * stage / (stages - 1);
-        constexpr int most = 30;
+        constexpr int max_iterations = 30;
         double left = 1;
         at.found = false;
-        for (int i = 0; i < most && left > 0 && !at.found; ++i) {
+        for (int i = 0; i < max_iterations && left > 0 && !at.found; ++i) {
             left = improve(at);
             at.found =
                 at.found || (left >= 0 && left < steady_accuracy);  // once there, round-off may leave nothing to gain
@@ -170,7 +170,7 @@ std::vector<std::complex<double>> frequency_response(const LinearModel& m, int o
             through += s * m.D(output, rate_input);
         }
         const Eigen::MatrixXcd K = s * Eigen::MatrixXcd::Identity(n, n) - m.A.cast<std::complex<double>>();
-        out.push_back((m.C.row(output).cast<std::complex<double>>() * K.partialPivLu().solve(b))(0) + through);
+        out.push_back((m.C.row(output).cast<std::complex<double>>() * solve(K, b))(0) + through);
     }
     return out;
 }

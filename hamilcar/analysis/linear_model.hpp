@@ -48,6 +48,7 @@ struct LinearModel {
     Eigen::MatrixXd A, B, C, D;
     Eigen::VectorXd rate, output;  // z' and y at the operating point
     std::vector<std::string> states, inputs, outputs, output_units;
+    std::vector<StateKind> state_kinds;
 };
 
 class Linearizer {

@@ -2,6 +2,7 @@
 // compiled for size: the whole program once more, on a number of nine.
 #include <Eigen/Core>
 
+#include "hamilcar/analysis/dimensions.hpp"
 #include "hamilcar/analysis/linear_model.hpp"
 #include "hamilcar/math/convert.hpp"
 #include "hamilcar/math/dual.hpp"
@@ -12,12 +13,6 @@ namespace {
 
 constexpr int partials = 8;  // columns a pass
 using D = Dual<double, partials>;
-
-std::vector<std::string> wheel_names(const VehicleDescription& d) {
-    std::vector<std::string> names;
-    for_each_wheel(d, [&](const auto& wheel, std::size_t) { names.push_back(wheel.name); });
-    return names;
-}
 
 template <class T>
 std::vector<T> listed(const ReducedOutputs<T>& out, const T& roll, const T& pitch) {
@@ -77,7 +72,9 @@ LinearModel Linearizer::linearize(const OperatingPoint& at) const {
         for (int i = 0; i < n; ++i) out.rate[i] = rate[static_cast<std::size_t>(i)].value();
         for (Eigen::Index i = 0; i < outputs; ++i) out.output[i] = y[static_cast<std::size_t>(i)].value();
     }
-    out.states = reduced_.names();
+    for (const StateNumber& number : reduced_.numbers()) {
+        out.states.push_back(number.name), out.state_kinds.push_back(number.kind);
+    }
     out.inputs = {"rack [m]", "rack rate [m/s]", "drive torque [N m]", "brake [1]", "gravity [m/s^2]"};
     name_outputs(vehicle_, out);
     return out;

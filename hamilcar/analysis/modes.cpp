@@ -106,7 +106,7 @@ std::vector<NamedMotion> motions(const LinearModel& m, const VehicleDescription&
     }
     double deflection = 0;
     for (std::size_t i = 0; i < m.states.size(); ++i) {
-        const bool tire = m.states[i].find(".deflection_") != std::string::npos;
+        const bool tire = m.state_kinds[i] == StateKind::tire_deflection;
         if (tire) deflection = std::max(deflection, std::abs(v[static_cast<Eigen::Index>(i)]));
     }
     out.push_back({"tire deflection", deflection});
@@ -119,8 +119,7 @@ std::string name_of(const LinearModel& m, const Eigen::VectorXcd& v, const std::
     if (std::abs(eigenvalue) < standstill) return "neutral";
     double body = 0, internal = 0;
     for (Eigen::Index i = 0; i < v.size(); ++i) {
-        const std::string& state = m.states[static_cast<std::size_t>(i)];
-        const bool own = state.ends_with(".brake_windup");
+        const bool own = m.state_kinds[static_cast<std::size_t>(i)] == StateKind::brake_windup;
         (own ? internal : body) = std::max(own ? internal : body, std::abs(v[i]));
     }
     if (internal > 1e3 * body) return "brake wind-up";

@@ -1,5 +1,5 @@
 // What an analysis throws where there is nothing to find: a vehicle without a steady motion, a linkage that does not assemble.
-// Analyses know no files; whoever reads files tells it as a numerical failure.
+// Analyses know no files; callers that do report it as a numerical failure.
 #pragma once
 
 #include <stdexcept>

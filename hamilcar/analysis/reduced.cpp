@@ -1,52 +1,43 @@
 #include "hamilcar/analysis/reduced.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 namespace hamilcar {
 
-ReducedCoordinates::ReducedCoordinates(const VehicleDescription& d, const Vehicle<double>& vehicle) {
-    names_ = {"height",
-              "roll",
-              "pitch",
-              "momentum.x",
-              "momentum.y",
-              "momentum.z",
-              "angular_momentum.x",
-              "angular_momentum.y",
-              "angular_momentum.z"};
-    const auto add = [this](int place, std::string name) {
-        further_.push_back(place);
-        names_.push_back(std::move(name));
-    };
-    for (std::size_t s = 0; s < vehicle.suspensions.size(); ++s) {
-        const Suspension<double>& suspension = vehicle.suspensions[s];
-        const SuspensionDescription& described = d.suspensions[s];
-        for (int j = 0; j < suspension.linkage.nV(); ++j) {
-            const std::string number = std::to_string(j + 1);
-            add(suspension.offset + j, described.name + ".independent." + number);
-            add(suspension.offset + suspension.linkage.nq() + j, described.name + ".momentum." + number);
-        }
-        for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
-            const std::string& name = described.wheels[i].name;
-            const int wheel = suspension.offset + suspension.wheels[i].offset;
-            add(wheel, name + ".spin_momentum"), add(wheel + 1, name + ".brake_windup");
-            for (int k = 0; k < suspension.wheels[i].tires; ++k) {
-                const char* tire = k == 0 ? "" : "_2";
-                add(wheel + 2 + 2 * k, fmt::format("{}.deflection_x{}", name, tire));
-                add(wheel + 3 + 2 * k, fmt::format("{}.deflection_y{}", name, tire));
-            }
-        }
+namespace {
+
+// Suspensions, wheels and hitches but for what their independent coordinates imply.
+bool is_free(StateKind kind) {
+    switch (kind) {
+        case StateKind::independent:
+        case StateKind::suspension_momentum:
+        case StateKind::spin_momentum:
+        case StateKind::brake_windup:
+        case StateKind::tire_deflection:
+        case StateKind::hitch_angle:
+        case StateKind::hitch_momentum: return true;
+        default: return false;
     }
-    for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
-        const Trailer<double>& trailer = vehicle.trailers[i];
-        const std::vector<std::string> angles = hitch_angles(d.trailers[i].hitch);
-        for (int j = 0; j < trailer.freedoms(); ++j) {
-            const std::string& angle = angles[static_cast<std::size_t>(j)];
-            add(trailer.offset + j, d.trailers[i].name + ".hitch." + angle);
-            add(trailer.offset + trailer.freedoms() + j, d.trailers[i].name + ".hitch_momentum." + angle);
-        }
+}
+
+}  // namespace
+
+ReducedCoordinates::ReducedCoordinates(const VehicleDescription& description)
+    : numbers_{{StateKind::position, "height"},
+               {StateKind::orientation, "roll"},
+               {StateKind::orientation, "pitch"},
+               {StateKind::momentum, "momentum.x"},
+               {StateKind::momentum, "momentum.y"},
+               {StateKind::momentum, "momentum.z"},
+               {StateKind::angular_momentum, "angular_momentum.x"},
+               {StateKind::angular_momentum, "angular_momentum.y"},
+               {StateKind::angular_momentum, "angular_momentum.z"}} {
+    const StateLayout layout(description);
+    for (int place = 0; place < layout.size(); ++place) {
+        const StateNumber& number = layout.numbers()[static_cast<std::size_t>(place)];
+        if (!is_free(number.kind)) continue;
+        further_.push_back(place);
+        numbers_.push_back(number);
     }
 }
 

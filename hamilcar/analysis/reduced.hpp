@@ -14,19 +14,19 @@
 
 namespace hamilcar {
 
-// Which numbers of a state z holds, and what they are called.
+// Which numbers of a state z holds, and what they are.
 class ReducedCoordinates {
 public:
-    explicit ReducedCoordinates(const VehicleDescription& description, const Vehicle<double>& vehicle);
+    explicit ReducedCoordinates(const VehicleDescription& description);
     int size() const { return first_further + static_cast<int>(further_.size()); }
-    const std::vector<std::string>& names() const { return names_; }
+    const std::vector<StateNumber>& numbers() const { return numbers_; }
     const std::vector<int>& further() const { return further_; }  // places in State::values
 
     static constexpr int first_momentum = 3, first_further = 9;
 
 private:
     std::vector<int> further_;
-    std::vector<std::string> names_;
+    std::vector<StateNumber> numbers_;
 };
 
 template <class T>

@@ -20,6 +20,72 @@ std::size_t samples_within(double duration, double rate) {
 
 }  // namespace
 
+std::size_t sample_at(const Series& series, double time) {
+    if (series.values.empty()) return 0;
+    const double place = std::ceil((time - 1e-9 - series.start) * series.rate),
+                 last = static_cast<double>(series.values.size() - 1);
+    return static_cast<std::size_t>(std::clamp(place, 0.0, last));
+}
+
+Series between(const Series& series, double from, double to) {
+    const std::size_t count = series.values.size();
+    const auto place = [&](double time) {
+        return std::clamp(std::ceil((time - series.start) * series.rate), 0.0, static_cast<double>(count));
+    };
+    const auto first = static_cast<std::size_t>(place(from - 1e-9)), end = static_cast<std::size_t>(place(to + 1e-9));
+    return {series.values.subspan(first, std::max(end, first) - first), series.rate, series.time(first)};
+}
+
+double mean(std::span<const double> values) {
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+double largest_magnitude(std::span<const double> values) {
+    double out = 0;
+    for (const double value : values) out = std::max(out, std::abs(value));
+    return out;
+}
+
+std::vector<double> scaled(std::span<const double> values, double factor) {
+    std::vector<double> out(values.begin(), values.end());
+    for (double& value : out) value *= factor;
+    return out;
+}
+
+std::vector<double> shifted(std::span<const double> values, double by) {
+    std::vector<double> out(values.begin(), values.end());
+    for (double& value : out) value += by;
+    return out;
+}
+
+std::vector<double> continued(std::span<const double> angle) {
+    constexpr double turn = 360;  // [deg]
+    std::vector<double> out;
+    for (const double now : angle) {
+        const double before = out.empty() ? now : out.back();
+        out.push_back(now + turn * std::round((before - now) / turn));
+    }
+    return out;
+}
+
+std::vector<double> thinned(std::span<const double> values, std::size_t max_count) {
+    const std::size_t every = std::max<std::size_t>(1, values.size() / max_count);
+    std::vector<double> out;
+    for (std::size_t i = 0; i < values.size(); i += every) out.push_back(values[i]);
+    return out;
+}
+
+double interpolated(std::span<const double> x, std::span<const double> y, double at) {
+    need_values(y);
+    const auto next = std::ranges::lower_bound(x, at);
+    if (next == x.begin()) return y.front();
+    if (next == x.end()) return y.back();
+    const auto i = static_cast<std::size_t>(next - x.begin());
+    return std::lerp(y[i - 1], y[i], (at - x[i - 1]) / (x[i] - x[i - 1]));
+}
+
 double interpolated(const Series& series, double time) {
     need_values(series.values);
     const std::size_t last = series.values.size() - 1;

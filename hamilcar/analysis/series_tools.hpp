@@ -20,6 +20,23 @@ struct Series {
 
 inline constexpr double endless = std::numeric_limits<double>::infinity();  // [s]
 
+// The first sample at or after an instant, at most the last one; instants within a nanosecond are the same.
+std::size_t sample_at(const Series& series, double time);
+// The samples within [from, to].
+Series between(const Series& series, double from, double to = endless);
+
+// Of values at any rate; NaN of none.
+double mean(std::span<const double> values);
+double largest_magnitude(std::span<const double> values);  // 0 of none
+std::vector<double> scaled(std::span<const double> values, double factor);
+std::vector<double> shifted(std::span<const double> values, double by);
+// An angle within half a turn [deg], continued beyond it.
+std::vector<double> continued(std::span<const double> angle);
+// At most about so many, evenly, for a diagram.
+std::vector<double> thinned(std::span<const double> values, std::size_t max_count = 1500);
+// y at a place between ascending x, a straight line between two of them; the first and the last y beyond.
+double interpolated(std::span<const double> x, std::span<const double> y, double at);
+
 // At an instant [s]; before the first and after the last value these. std::length_error for a series without values.
 double interpolated(const Series& series, double time);
 

@@ -87,11 +87,11 @@ TireFigures tire_figures(const Tire<double>& tire, double load) {
 
 TireCurves tire_curves(const Tire<double>& tire, const std::vector<double>& loads) {
     TireCurves out;
-    const auto sweep = [&](double load, double least, double most, auto&& rolling) {
+    const auto sweep = [&](double load, double first, double last, auto&& rolling) {
         constexpr int steps = 120;
         TireCurve curve{.load = load, .slip = {}, .force = {}};
         for (int i = 0; i <= steps; ++i) {
-            curve.slip.push_back(least + (most - least) * i / steps);
+            curve.slip.push_back(first + (last - first) * i / steps);
             curve.force.push_back(steady_force(tire, rolling(curve.slip.back())));
         }
         return curve;

@@ -44,7 +44,8 @@ WheelMotion motion_of(const Suspension<double>& suspension, const LinkagePositio
 
 std::vector<WheelMotion> wheel_motions(const VehicleDescription& description, const Model<double>& model,
                                        const State<double>& state, double rack) {
-    const RackMotion<double> motion{rack, 1, 0};  // at a rate of one, so that the drift is a motion per unit of rack
+    const RackMotion<double> motion{rack, 1,
+                                    0};  // at a rate of one, so that prescribed rates are motions per unit of rack
     std::vector<WheelMotion> out;
     for (std::size_t s = 0; s < model.vehicle.suspensions.size(); ++s) {
         const Suspension<double>& suspension = model.vehicle.suspensions[s];

@@ -1,4 +1,4 @@
-// How one wheel stands and can move in its linkage, whatever carries it; the hub held still.
+// How one wheel stands and can move in its linkage, whatever carries it; the chassis held still.
 #pragma once
 
 #include <string>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "hamilcar/bench/race.hpp"
+#include "hamilcar/bench/interleave.hpp"
 
 namespace hamilcar {
 
@@ -67,7 +67,7 @@ TrialResult run_trial(const VehicleDescription& vehicle, ScenarioDescription sce
     return result;
 }
 
-std::vector<AccuracyTrial> usual_trials() {
+std::vector<AccuracyTrial> default_trials() {
     constexpr auto exact = ConstraintMode::exact, stabilized = ConstraintMode::stabilized;
     return {
         {"ab2", 1e-3, exact},          {"ab2", 5e-4, exact},          {"ab3", 2e-3, exact},

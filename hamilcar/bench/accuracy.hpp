@@ -37,6 +37,6 @@ TrialResult run_trial(const VehicleDescription& vehicle, ScenarioDescription sce
                       const Trace& reference, int times);
 
 // All integrators worth a look, in both constraint modes.
-std::vector<AccuracyTrial> usual_trials();
+std::vector<AccuracyTrial> default_trials();
 
 }  // namespace hamilcar

@@ -8,8 +8,8 @@
 
 #include "hamilcar/batch/batch.hpp"
 #include "hamilcar/bench/engine_car.hpp"
+#include "hamilcar/bench/interleave.hpp"
 #include "hamilcar/bench/peak.hpp"
-#include "hamilcar/bench/race.hpp"
 #include "hamilcar/bench/scenes.hpp"
 
 namespace hamilcar {
@@ -37,9 +37,9 @@ std::vector<CarBench> bench_cars(const Simulation& simulation, double turn) {
     for (const Engine* own : engines()) {
         for (const bool balance : {false, true}) cars.emplace_back(*own, simulation, balance);
     }
-    std::vector<Contestant> contestants;
-    for (EngineCar& car : cars) contestants.push_back({"", [&car](long steps) { car.advance(steps); }});
-    const RaceResult result = race(contestants, turn, rounds);
+    std::vector<BenchmarkCase> cases;
+    for (EngineCar& car : cars) cases.push_back({"", [&car](long steps) { car.advance(steps); }});
+    const InterleavedTimes result = interleave(cases, turn, rounds);
     std::vector<CarBench> out;
     for (std::size_t i = 0; i < engines().size(); ++i) {
         out.push_back({engines()[i]->name, result.time(2 * i), result.time(2 * i + 1)});
@@ -63,10 +63,10 @@ std::vector<BatchBench> bench_batches(const VehicleDescription& vehicle, double 
             Batch together(cars, {.threads = threads, .precision = precision, .engine = name});
             const Engine& own = *engine;
             const double per_round = multiply_and_add(own, precision, 1);
-            std::vector<Contestant> contestants{{"alone", [&](long steps) { alone.advance(steps); }},
-                                                {"together", [&](long steps) { together.advance(steps); }},
-                                                {"peak", [&](long times) { multiply_and_add(own, precision, times); }}};
-            const RaceResult result = race(contestants, turn, rounds);
+            std::vector<BenchmarkCase> cases{{"alone", [&](long steps) { alone.advance(steps); }},
+                                             {"together", [&](long steps) { together.advance(steps); }},
+                                             {"peak", [&](long times) { multiply_and_add(own, precision, times); }}};
+            const InterleavedTimes result = interleave(cases, turn, rounds);
             const double work = operations * static_cast<double>(cars.size()) / per_round;  // in rounds of the peak's
             const double speedup = result.ratio(0, 1), share = work / result.ratio(0, 2);
             const double peak = per_round / result.time(2), count = static_cast<double>(cars.size());
@@ -95,11 +95,11 @@ double bench_ready(const VehicleDescription& vehicle) {
 double bench_snapshot(const Simulation& simulation, double turn) {
     Simulation copy = simulation;
     Snapshot snapshot;
-    return race({{"",
-                  [&](long times) {
-                      for (long i = 0; i < times; ++i) copy.save(snapshot), copy.restore(snapshot);
-                  }}},
-                turn, rounds)
+    return interleave({{"",
+                        [&](long times) {
+                            for (long i = 0; i < times; ++i) copy.save(snapshot), copy.restore(snapshot);
+                        }}},
+                      turn, rounds)
         .time(0);
 }
 
@@ -120,15 +120,15 @@ BenchReport bench(const VehicleDescription& vehicle, double seconds,
     progress("many cars");
     report.batches = bench_batches(vehicle, static_cast<double>(report.operations_of_step.total()),
                                    std::min(2, report.machine.threads), turn);
-    progress("snapshots and steadiness");
+    progress("snapshots and step_jitter");
     report.ready = bench_ready(vehicle);
     report.snapshot = bench_snapshot(simulation, turn);
-    report.steadiness = steadiness(simulation, static_cast<long>(seconds * 5e4));
+    report.step_jitter = step_jitter(simulation, static_cast<long>(seconds * 5e4));
     progress("work against precision");
     ScenarioDescription scenario = lane_change();
     scenario.duration = report.trial_duration = std::clamp(std::round(seconds), 2.0, scenario.duration);
     const Trace reference = reference_path(vehicle, scenario);
-    for (const AccuracyTrial& trial : usual_trials()) {
+    for (const AccuracyTrial& trial : default_trials()) {
         report.trials.push_back(run_trial(vehicle, scenario, trial, reference, seconds < 5 ? 1 : 3));
     }
     return report;

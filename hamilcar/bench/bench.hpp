@@ -1,4 +1,4 @@
-// The whole short benchmark, as `hamilcar bench` shows it: one car, batches, snapshots, steadiness, work against precision.
+// The whole short benchmark, as `hamilcar bench` shows it: one car, batches, snapshots, step_jitter, work against precision.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 #include "hamilcar/bench/accuracy.hpp"
 #include "hamilcar/bench/operations.hpp"
-#include "hamilcar/bench/steadiness.hpp"
+#include "hamilcar/bench/step_jitter.hpp"
 #include "hamilcar/engine/engines.hpp"
 
 namespace hamilcar {
@@ -42,7 +42,7 @@ struct BenchReport {
     std::vector<BatchBench> batches;
     double ready = 0;     // from a description to a first step: assembled, settled, recorded, compiled [s]
     double snapshot = 0;  // save and restore together [s]
-    Steadiness steadiness{};
+    StepJitter step_jitter{};
     double trial_duration = 0;  // of the lane change [s]
     std::vector<TrialResult> trials;
 };

@@ -1,11 +1,10 @@
 #include "hamilcar/block/equilibrium.hpp"
 
-#include <Eigen/Dense>
-
 #include "hamilcar/block/freedoms.hpp"
 #include "hamilcar/block/initial_process.hpp"
 #include "hamilcar/block/integration.hpp"
 #include "hamilcar/block/road_wheels.hpp"
+#include "hamilcar/math/dense.hpp"
 #include "hamilcar/tire/contact_deflection.hpp"
 
 namespace hamilcar {
@@ -170,7 +169,7 @@ EquilibriumResult settle(const Model<double>& model, Input<double> input, State<
     Eigen::VectorXd r = problem.residual(x);
     const double weight = model.vehicle.total_mass * model.vehicle.gravity;
     for (int i = 0; i < max_iterations && r.norm() > 1e-12 * weight; ++i) {
-        const Eigen::VectorXd full = finite_difference_jacobian(problem, x).partialPivLu().solve(r);
+        const Eigen::VectorXd full = solve(finite_difference_jacobian(problem, x), r);
         double share = std::min(1.0, 0.1 / full.lpNorm<Eigen::Infinity>());  // stay within the range of the linkages
         Eigen::VectorXd best = problem.residual(x - share * full);
         while (!(best.norm() < r.norm()) && share > 1e-3) {

@@ -1,9 +1,8 @@
 #include "hamilcar/block/initial_process.hpp"
 
-#include <Eigen/Dense>
-
 #include "hamilcar/block/integration.hpp"
 #include "hamilcar/block/road_wheels.hpp"
+#include "hamilcar/math/dense.hpp"
 
 namespace hamilcar {
 
@@ -14,8 +13,7 @@ void inspect_mobility(const Eigen::MatrixXd& Phi_w, double determinant, LoopRepo
     report.mobility = std::abs(determinant) / Phi_w.rowwise().norm().prod();
     if (!std::isfinite(report.mobility)) report.mobility = 0;
     if (!Phi_w.allFinite()) return;
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(Phi_w, Eigen::ComputeThinU);
-    svd.matrixU().col(Phi_w.cols() - 1).cwiseAbs().maxCoeff(&report.nearly_redundant);
+    last_left_singular_vector(Phi_w).cwiseAbs().maxCoeff(&report.nearly_redundant);
 }
 
 }  // namespace
@@ -33,7 +31,7 @@ LoopReport inspect_loops(const Model<double>& model, const RackMotion<double>& r
     }
     const int n = suspension.linkage.nW();
     if (n > 0) {
-        inspect_mobility(at.Phi_w_inverse.topLeftCorner(n, n).inverse(), at.determinant, report);
+        inspect_mobility(inverse(at.Phi_w_inverse.topLeftCorner(n, n)), at.determinant, report);
     }
     return report;
 }

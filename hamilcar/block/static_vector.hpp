@@ -2,11 +2,12 @@
 #pragma once
 
 #include <array>
-#include <cassert>
 #include <cstddef>
 #include <new>
 #include <type_traits>
 #include <utility>
+
+#include "hamilcar/base/assert.hpp"
 
 namespace hamilcar {
 
@@ -26,12 +27,16 @@ public:
 
     template <class... Arguments>
     T& emplace_back(Arguments&&... arguments) {
-        assert(size_ < capacity);
+        HAMILCAR_ASSERT(size_ < capacity);
         return *new (bytes_ + sizeof(T) * size_++) T(std::forward<Arguments>(arguments)...);
     }
     std::size_t size() const { return size_; }
-    T& operator[](std::size_t i) { return *std::launder(reinterpret_cast<T*>(bytes_ + sizeof(T) * i)); }
+    T& operator[](std::size_t i) {
+        HAMILCAR_ASSERT(i < size_);
+        return *std::launder(reinterpret_cast<T*>(bytes_ + sizeof(T) * i));
+    }
     const T& operator[](std::size_t i) const {
+        HAMILCAR_ASSERT(i < size_);
         return *std::launder(reinterpret_cast<const T*>(bytes_ + sizeof(T) * i));
     }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace hamilcar {
@@ -39,6 +40,8 @@ struct CrgDescription {
     double smooth_start = 0, smooth_end = 0;  // over which the surface rises out of the line's height at that end [m]
     CrgMissing missing = CrgMissing::keep;
     double missing_offset = 0;  // added to what stands for missing heights [m]
+
+    std::vector<std::string> remarks;  // of who read the file: what is not used, or used in spite of a contradiction
 
     std::size_t columns() const { return v.size(); }
     std::size_t rows() const { return v.empty() ? 0 : heights.size() / v.size(); }

@@ -38,7 +38,7 @@ namespace hamilcar {
     X(LMY, 1) X(LSGKP, 1) X(LSGAL, 1)
 // clang-format on
 
-#define HAMILCAR_MAGIC_NAME(name, usual) name,
+#define HAMILCAR_MAGIC_NAME(name, default_value) name,
 enum MagicName : std::size_t {
     HAMILCAR_MAGIC_IN_STEP(HAMILCAR_MAGIC_NAME) magic_in_step,
     magic_last_in_step = magic_in_step - 1,  // the next one takes up the count
@@ -48,10 +48,10 @@ enum MagicName : std::size_t {
 
 struct MagicCoefficient {
     std::string_view name;
-    double usual;
+    double default_value;
 };
 
-#define HAMILCAR_MAGIC_ENTRY(name, usual) MagicCoefficient{#name, usual},
+#define HAMILCAR_MAGIC_ENTRY(name, default_value) MagicCoefficient{#name, default_value},
 inline constexpr std::array<MagicCoefficient, magic_count> magic_coefficients{
     HAMILCAR_MAGIC_IN_STEP(HAMILCAR_MAGIC_ENTRY) HAMILCAR_MAGIC_BEFORE(HAMILCAR_MAGIC_ENTRY)};
 #undef HAMILCAR_MAGIC_ENTRY
@@ -59,7 +59,7 @@ inline constexpr std::array<MagicCoefficient, magic_count> magic_coefficients{
 // A set, indexed by name: set[PKX1].
 struct MagicCoefficients : std::array<double, magic_count> {
     MagicCoefficients() : std::array<double, magic_count>{} {
-        for (std::size_t i = 0; i < magic_count; ++i) (*this)[i] = magic_coefficients[i].usual;
+        for (std::size_t i = 0; i < magic_count; ++i) (*this)[i] = magic_coefficients[i].default_value;
     }
 };
 

@@ -3,12 +3,17 @@
 
 #include <map>
 #include <string>
+#include <variant>
 
 namespace hamilcar {
 
+// Settings as they were typed, by the names that the maneuver lists: a number in the unit that it lists, or a word, "left". True
+// and false are the words "yes" and "no".
+using TypedSettings = std::map<std::string, std::variant<double, std::string>>;
+
 struct ManeuverDescription {
-    std::string name;                        // "double_lane_change"; empty: none
-    std::map<std::string, double> settings;  // by the names that the maneuver lists, in the units it lists
+    std::string name;  // "double_lane_change"; empty: none
+    TypedSettings settings;
 };
 
 }  // namespace hamilcar

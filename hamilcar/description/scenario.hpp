@@ -9,6 +9,7 @@
 
 #include "hamilcar/description/driver.hpp"
 #include "hamilcar/description/maneuver.hpp"
+#include "hamilcar/description/places.hpp"
 #include "hamilcar/description/road.hpp"
 #include "hamilcar/description/signal.hpp"
 
@@ -21,7 +22,7 @@ enum class StabilizationRule {
     limit,
     value
 };  // alpha = ST_k / h of Table 3, a fraction of the exact limit, or a number
-enum class ChassisChart { quaternion, bryant };  // orientation coordinates of the hub
+enum class ChassisChart { quaternion, bryant };  // orientation coordinates of the chassis
 
 struct SolverDescription {
     double step = 1e-3;              // [s]
@@ -51,7 +52,7 @@ struct OutputDescription {
     std::vector<std::string> channels;  // names or prefixes with '*'; empty: the default set
     bool csv = true, netcdf = true;
     bool motion = true;  // netCDF: also what a picture of the vehicle is drawn from
-    bool report = true;  // a page with the film and the plots of the run
+    bool report = true;  // a page with the replay and the plots of the run
 };
 
 struct ScenarioDescription {
@@ -73,6 +74,7 @@ struct ScenarioDescription {
     ManeuverDescription maneuver;      // drives instead of inputs and driver
     OutputDescription output;
     std::vector<std::array<double, 2>> cones;  // that mark a course; nothing feels them: x, y on the ground [m]
+    std::shared_ptr<const Places> places;      // of its keys; none where no file was read
 };
 
 // Whether the vehicle's power units run: where somebody uses pedal and gears. In all other runs a torque at the wheels stands

@@ -5,8 +5,8 @@
 
 namespace hamilcar {
 
-// Monotone cubic (continuous rate), straight lines, or each value until the next one.
-enum class Interpolation { smooth, linear, steps };
+// Monotone cubic (continuous rate), the same with a continuous acceleration too, straight lines, or each value until the next one.
+enum class Interpolation { smooth, smoother, linear, steps };
 
 // An input over time; constant before the first and after the last point. Times strictly increase.
 struct SignalDescription {

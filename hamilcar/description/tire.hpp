@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -64,6 +65,7 @@ struct MagicFormulaDescription {
     std::array<double, 2> angle{-1.5, 1.5};            // ALPMIN, ALPMAX [rad]
     std::array<double, 2> camber{-0.35, 0.35};         // CAMMIN, CAMMAX [rad]
     MagicCoefficients coefficients;
+    std::vector<std::string> remarks;  // of who read the file: what it leaves open or is not used
 };
 
 // One direction of a TMeasy characteristic, at the load it was measured at.
@@ -112,23 +114,31 @@ struct BrushDescription {
     double carcass_x = 0, carcass_y = 0;  // [N/m]
 };
 
+// Dugoff's tire: a uniform pressure, constant stiffnesses and friction.
+struct DugoffDescription {
+    CasingDescription casing;
+    double longitudinal_stiffness = 0;          // [N]
+    double cornering_stiffness = 0;             // [N/rad]
+    double friction = 0;                        // [1]
+    double rolling_resistance = 0;              // [1]
+    double relaxation_x = 0, relaxation_y = 0;  // [m]
+};
+
 using TireDescription = std::variant<LinearTireDescription, SpringTireDescription, MagicFormulaDescription,
-                                     TmeasyDescription, FialaDescription, BrushDescription>;
+                                     TmeasyDescription, FialaDescription, BrushDescription, DugoffDescription>;
 
 // Size and vertical spring of any tire.
 inline CasingDescription casing_of(const TireDescription& tire) {
-    struct {
-        CasingDescription operator()(const LinearTireDescription& t) const {
+    const auto read = [](const auto& t) -> CasingDescription {
+        using Description = std::decay_t<decltype(t)>;
+        if constexpr (std::is_same_v<Description, LinearTireDescription>) {
             return {t.radius, t.rolling_radius, t.vertical_stiffness, 0, t.vertical_damping, t.carcass_damping};
-        }
-        CasingDescription operator()(const SpringTireDescription& t) const {
+        } else if constexpr (std::is_same_v<Description, SpringTireDescription>) {
             return {t.radius, t.rolling_radius, t.vertical_stiffness, 0, 0, 0};
+        } else {
+            return t.casing;
         }
-        CasingDescription operator()(const MagicFormulaDescription& t) const { return t.casing; }
-        CasingDescription operator()(const TmeasyDescription& t) const { return t.casing; }
-        CasingDescription operator()(const FialaDescription& t) const { return t.casing; }
-        CasingDescription operator()(const BrushDescription& t) const { return t.casing; }
-    } read;
+    };
     return std::visit(read, tire);
 }
 

@@ -8,10 +8,12 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "hamilcar/description/linkage.hpp"
+#include "hamilcar/description/places.hpp"
 #include "hamilcar/description/powertrain.hpp"
 #include "hamilcar/description/tire.hpp"
 
@@ -79,8 +81,11 @@ struct SuspensionWheelDescription {
     StopDescription bump, rebound;
     TireDescription tire;
     BrakeDescription brake;
-    double drive_share = 0;          // of the drive torque at this wheel [1]
-    std::size_t drive_reaction = 0;  // part that the drive torque reacts on: the hub, or where the differential sits
+    double drive_share = 0;  // of the drive torque at this wheel [1]
+    std::size_t drive_reaction =
+        0;  // part that the drive torque reacts on: the chassis, or where the differential sits
+
+    int tires() const { return dual_spacing > 0 ? 2 : 1; }
 };
 
 // What a spring or a damper acts along: between two points, or along (about) a coordinate of the linkage.
@@ -133,6 +138,19 @@ inline int hitch_yaw(Hitch hitch) {
     return hitch == Hitch::ball ? 0 : 1;
 }
 
+// What a body looks like from outside, for pictures alone: nothing is calculated from it.
+enum class BodyStyle { sedan, hatchback, off_roader, pickup, van, truck, box, open_wheeler };
+inline constexpr std::array<std::string_view, 8> body_style_names{"sedan", "hatchback", "off_roader", "pickup",
+                                                                  "van",   "truck",     "box",        "open_wheeler"};
+
+struct BodyworkDescription {
+    BodyStyle style = BodyStyle::sedan;
+    double front = 0;            // along x, of its foremost point [m]
+    double length = 0;           // [m]
+    double width = 0;            // without mirrors [m]
+    double bottom = 0, top = 0;  // along z, of its floor and of its highest point [m]
+};
+
 struct TrailerDescription {
     std::string name;
     Hitch hitch = Hitch::ball;
@@ -140,6 +158,7 @@ struct TrailerDescription {
     Point hitch_point{};     // in the motor vehicle's frame while the combination stands straight, as all its points
     double yaw_damping = 0;  // [N m s/rad]
     BodyDescription chassis;
+    std::optional<BodyworkDescription> bodywork = {};
 };
 
 // Forces in the flow v of the air against the chassis, with q = rho |v| / 2 at `center`:
@@ -182,6 +201,8 @@ struct VehicleDescription {
     std::vector<PowerUnitDescription> power_units;
     std::vector<DifferentialDescription> differentials;  // outputs before inputs
     double gravity = 9.80665;                            // [m/s^2]
+    std::optional<BodyworkDescription> bodywork = {};    // of the motor vehicle
+    std::shared_ptr<const Places> places;                // of its keys; none where no file was read
 };
 
 // Calls f(wheel, unit) for all wheels, in the vehicle's order.

@@ -1,13 +1,11 @@
 // Power units, and the tree of differentials from them to the wheels. Speeds propagate up the tree and torques down, each in one
 // pass, since every differential comes after its outputs.
-//
-// In a state: for each unit the rotor's momentum, the wind-up, the effective throttle and the converter's torque, then each
-// differential's wind-up, then the energy supplied by the sources.
 #pragma once
 
 #include <array>
 #include <vector>
 
+#include "hamilcar/base/assert.hpp"
 #include "hamilcar/driveline/differential.hpp"
 #include "hamilcar/driveline/power_unit.hpp"
 
@@ -35,31 +33,31 @@ struct Powertrain {
     std::vector<PowerUnit<T>> units;
     std::vector<Differential<T>> differentials;
     std::vector<int> wheels;  // driven ones, by their indices in the vehicle
-    int offset = 0;           // of its first value in a state
+    // In a state (vehicle/state_layout.hpp): of the first unit's numbers, of the first differential's, of the energy supplied.
+    int unit_place = 0, differential_place = 0, supplied_place = 0;
     static constexpr auto members() {
         using P = Powertrain;
-        return std::tuple(&P::units, &P::differentials, &P::wheels, &P::offset);
+        return std::tuple(&P::units, &P::differentials, &P::wheels, &P::unit_place, &P::differential_place,
+                          &P::supplied_place);
     }
 
-    static constexpr int values_per_unit = 4;
     bool exists() const { return !units.empty(); }
-    int size() const {
-        if (!exists()) return 0;
-        return values_per_unit * static_cast<int>(units.size()) + static_cast<int>(differentials.size()) + 1;
-    }
 
     template <class Number>
     PowerUnitState<Number> unit_state(std::size_t i, Number* values) const {
-        Number* at = values + offset + values_per_unit * static_cast<int>(i);
+        HAMILCAR_ASSERT(i < units.size());
+        constexpr int numbers = 4;  // of a unit
+        Number* at = values + unit_place + numbers * static_cast<int>(i);
         return {at[0], at[1], at[2], at[3]};
     }
     template <class Number>
     Number& windup(std::size_t differential, Number* values) const {
-        return values[offset + values_per_unit * static_cast<int>(units.size()) + static_cast<int>(differential)];
+        HAMILCAR_ASSERT(differential < differentials.size());
+        return values[differential_place + static_cast<int>(differential)];
     }
     template <class Number>
     Number& supplied(Number* values) const {
-        return values[offset + size() - 1];
+        return values[supplied_place];
     }
 
     // Speeds of the differentials' inputs from those of the driven wheels [rad/s].

@@ -1,12 +1,14 @@
 // Torque sources: a combustion engine with governor and starter, or an electric motor (docs/models/driveline.md).
 #pragma once
 
+#include <concepts>
 #include <tuple>
 #include <variant>
 #include <vector>
 
 #include "hamilcar/description/powertrain.hpp"
 #include "hamilcar/driveline/curve.hpp"
+#include "hamilcar/scalar/dispatch.hpp"
 
 namespace hamilcar {
 
@@ -90,6 +92,15 @@ struct ElectricMotor {
 
 template <class T>
 using Source = std::variant<CombustionEngine<T>, ElectricMotor<T>>;
+
+// Torque on the rotor [N m] at a pedal position [1] and a speed [rad/s].
+template <class Model, class T>
+concept TorqueSource = requires(const Model source, const T& pedal, const T& speed) {
+    { source.at(pedal, speed) } -> std::same_as<T>;
+    Model::members();
+};
+static_assert(every_alternative(std::type_identity<Source<double>>(),
+                                []<class Model>() { return TorqueSource<Model, double>; }));
 
 template <class T>
 Source<T> make_source(const EngineDescription& d) {

@@ -1,9 +1,9 @@
 #include "hamilcar/driver/ending.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
+#include "hamilcar/base/units.hpp"
 #include "hamilcar/driver/short_number.hpp"
 
 namespace hamilcar {
@@ -13,7 +13,6 @@ namespace {
 using Reason = EndingMemory::Reason;
 
 constexpr double smoothing = 0.05;  // of the lateral acceleration [s]
-constexpr double degree = std::numbers::pi / 180;
 
 }  // namespace
 
@@ -74,7 +73,7 @@ std::optional<std::string> Ending::reason(const EndingMemory& memory) const {
         case Reason::station: return end("reached " + reached + " m along the path");
         case Reason::path_offset: return end("left the path by " + reached + " m");
         case Reason::lateral_acceleration: return end("lateral acceleration reached " + reached + " m/s^2");
-        case Reason::roll: return end("roll angle reached " + short_number(memory.reached / degree) + " deg");
+        case Reason::roll: return end("roll angle reached " + short_number(memory.reached / units::degree) + " deg");
         case Reason::none: break;
     }
     return {};

@@ -216,11 +216,11 @@ PathPlace Path::descend(double x, double y, Parameter at) const {
 
 PathPlace Path::nearest(double x, double y, double remembered) const {
     Parameter best = parameter(remembered), at = best;
-    double least = std::numeric_limits<double>::infinity();
+    double nearest_square = std::numeric_limits<double>::infinity();
     for (double ahead = 0; ahead <= search_distance; ahead += search_spacing, at = moved(at, search_spacing)) {
         const Local here = local(at);
         const double square = (here.x - x) * (here.x - x) + (here.y - y) * (here.y - y);
-        if (square < least) least = square, best = at;
+        if (square < nearest_square) nearest_square = square, best = at;
     }
     return descend(x, y, best);
 }
@@ -228,16 +228,16 @@ PathPlace Path::nearest(double x, double y, double remembered) const {
 PathPlace Path::nearest_of_all(double x, double y, double yaw) const {
     const auto [sine, cosine] = sincos(yaw);
     Parameter best{0, 0, 0};
-    double least = std::numeric_limits<double>::infinity();
+    double nearest_square = std::numeric_limits<double>::infinity();
     const double stride = std::max(search_spacing, length() / max_samples);
     for (const bool any_direction : {false, true}) {
         for (Parameter at{0, 0, 0}; at.lap == 0 && !is_beyond(at); at = moved(at, stride)) {
             const Local here = local(at);
             const double square = (here.x - x) * (here.x - x) + (here.y - y) * (here.y - y);
             const bool along = here.dx * cosine + here.dy * sine > 0;
-            if ((along || any_direction) && square < least) least = square, best = at;
+            if ((along || any_direction) && square < nearest_square) nearest_square = square, best = at;
         }
-        if (least < std::numeric_limits<double>::infinity()) break;
+        if (nearest_square < std::numeric_limits<double>::infinity()) break;
     }
     return descend(x, y, best);
 }

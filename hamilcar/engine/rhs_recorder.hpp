@@ -1,4 +1,4 @@
-// Records the right-hand side in numbers of one precision: included by one source file for each.
+// Records the right-hand side.
 #pragma once
 
 #include "hamilcar/block/integration.hpp"
@@ -7,10 +7,9 @@
 
 namespace hamilcar {
 
-template <class E>
 class RhsRecorder {
 public:
-    using T = Traced<E>;
+    using T = Traced<>;
     using S = Paired<T>;
 
     RhsRecorder(const Model<double>& model, const CommonCar& common, RhsTrace& to)

@@ -1,9 +1,8 @@
 #include "hamilcar/engine/rhs_trace.hpp"
 
-namespace hamilcar {
+#include "hamilcar/engine/rhs_recorder.hpp"
 
-void record_rhs_in_doubles(const Model<double>& model, const CommonCar& common, RhsTrace& to);
-void record_rhs_in_singles(const Model<double>& model, const CommonCar& common, RhsTrace& to);
+namespace hamilcar {
 
 namespace {
 
@@ -34,11 +33,7 @@ ModelNumbers numbers_of(const Model<double>& model) {
 
 RhsTrace trace_rhs(const Model<double>& model, const CommonCar& common, program::Precision precision) {
     RhsTrace out{.graph = program::Graph(precision), .correction_indices = {}, .parameters = {}};
-    if (precision == program::Precision::single_precision) {
-        record_rhs_in_singles(model, common, out);
-    } else {
-        record_rhs_in_doubles(model, common, out);
-    }
+    RhsRecorder(model, common, out).record();
     return out;
 }
 

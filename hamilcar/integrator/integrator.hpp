@@ -1,6 +1,6 @@
 // Advances a state vector by one step of a chosen method. Holds the history of multi-step methods; never allocates.
 //
-// The right-hand side is any f(t, y, rate). Adams methods start with a Runge-Kutta method of order six, so their first
+// Adams methods start with a Runge-Kutta method of order six, so their first
 // steps are as accurate as the rest. The adaptive method divides the given steps as its error estimate requires and
 // meets their ends.
 #pragma once
@@ -8,12 +8,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <limits>
 
+#include "hamilcar/base/assert.hpp"
 #include "hamilcar/integrator/methods.hpp"
 #include "hamilcar/math/arrays.hpp"
 
 namespace hamilcar {
+
+// y' = f(t, y), written into the third argument.
+template <class F, class State>
+concept RightHandSide = std::invocable<F&, double, const State&, State&>;
 
 // `State` has an array `values` of T; the first `size` of them are integrated.
 template <class State>
@@ -22,6 +28,7 @@ public:
     // `zero`: a state of full size, for states of dynamic size.
     Integrator(const Method& method, double step, int size, double tolerance = 1e-8, const State& zero = {})
         : method_(method), step_(step), size_(size), tolerance_(tolerance) {
+        HAMILCAR_ASSERT(method.order <= max_adams_order && static_cast<std::size_t>(size) <= zero.values.size());
         work_.fill(zero);
         for (int j = 0; j < method.order; ++j) memory_.past[static_cast<std::size_t>(j)] = zero;
         memory_.remembered = memory_.newest = 0;
@@ -59,7 +66,7 @@ public:
     }
 
     // y(t) -> y(t + step), to another place or to the same.
-    template <class F>
+    template <RightHandSide<State> F>
     void advance(F&& f, double t, const State& from, State& to) {
         switch (method_.family) {
             case MethodFamily::adams_bashforth: return advance_adams(f, t, from, to, false);
@@ -68,7 +75,7 @@ public:
             case MethodFamily::embedded_runge_kutta: return advance_adaptive(f, t, from, to);
         }
     }
-    template <class F>
+    template <RightHandSide<State> F>
     void advance(F&& f, double t, State& y) {
         advance(f, t, y, y);
     }

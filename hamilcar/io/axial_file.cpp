@@ -1,8 +1,8 @@
-#include "hamilcar/io/axial_file.hpp"
+#include "hamilcar/io/vehicle_tables.hpp"
 
 #include <algorithm>
+#include <functional>
 
-#include "hamilcar/io/wheel_file.hpp"
 #include "hamilcar/linkage/compose.hpp"
 
 namespace hamilcar::io {
@@ -23,17 +23,18 @@ std::vector<std::string_view> part_names(const Composition& composition) {
 }
 
 const PartChoice& part_of(const TableReader& table, std::string_view key, const Composition& composition,
-                          std::string_view otherwise) {
+                          std::string_view fallback) {
     const std::vector<std::string_view> names = part_names(composition);
-    const auto usual = std::ranges::find(names, otherwise);
+    const auto default_name = std::ranges::find(names, fallback);
     const std::optional<std::size_t> place =
-        usual == names.end() ? std::nullopt : std::optional<std::size_t>(usual - names.begin());
+        default_name == names.end() ? std::nullopt : std::optional<std::size_t>(default_name - names.begin());
     return composition.parts[table.one_of(key, names, place)];
 }
 
+using UseLines = std::function<void(const Lines&)>;
+
 // Along the one coordinate of the joint that carries a part.
-Lines along_joint(const TableReader& table, const AxleSides& sides) {
-    const PartChoice& part = part_of(table, "along", sides.left, "");
+Lines along_joint(const TableReader& table, const AxleSides& sides, const PartChoice& part) {
     const auto joint = [](const AxleSides& of, bool right, std::size_t number) -> const TreeJointDescription& {
         return (right ? of.right : of.left).linkage.joints[number - 1];
     };
@@ -53,7 +54,7 @@ Lines along_joint(const TableReader& table, const AxleSides& sides) {
 
 // From a point of the part `on` to a point of the part `to`, which is the chassis unless the file says otherwise.
 Lines between_points(const TableReader& table, const AxleSides& sides) {
-    const PartChoice& part = part_of(table, "on", sides.left, sides.usual_part);
+    const PartChoice& part = part_of(table, "on", sides.left, sides.default_part);
     Lines out;
     out.left.part = part.left, out.right.part = part.right;
     if (sides.left.carriers.size() == 2 && table.has("right_on")) {
@@ -70,23 +71,31 @@ Lines between_points(const TableReader& table, const AxleSides& sides) {
     return out;
 }
 
-Lines read_lines(const TableReader& table, const AxleSides& sides) {
-    return table.chosen({{"at_m", "body_m"}, {"along"}}) == 1 ? along_joint(table, sides)
-                                                              : between_points(table, sides);
+// What is read beside the lines depends on them.
+void read_lines(const TableReader& table, const AxleSides& sides, const UseLines& use) {
+    table.choose({{"at_m", "body_m"}, {"along"}}, [&](std::size_t group) {
+        if (group == 0) return use(between_points(table, sides));
+        table.choose("along", part_names(sides.left), {},
+                     [&](std::size_t part) { use(along_joint(table, sides, sides.left.parts[part])); });
+    });
 }
 
-// [axle.spring], which must be there where the suspension itself says where it acts, then every [[axle.further_spring]].
-std::vector<TableReader> elements(const TableReader& axle, std::string_view key, std::string_view further,
-                                  bool has_own_line) {
-    std::vector<TableReader> out;
-    if (has_own_line) {
-        out.push_back(axle.table(key));
-    } else if (const auto table = axle.optional_table(key))
-        out.push_back(*table);
-    if (!axle.has(further)) return out;
-    const std::vector<TableReader> more = axle.tables(further);
-    out.insert(out.end(), more.begin(), more.end());
-    return out;
+// [axle.KEY], which must be there where the suspension itself says where it acts, then every [[axle.further_KEY]].
+using OwnLine = std::optional<LineDescription> Composition::*;
+void for_each_element(const TableReader& axle, const std::string& key, const AxleSides& sides, OwnLine own,
+                      const std::function<void(const TableReader&, const Lines&, std::size_t)>& add) {
+    std::size_t number = 0;
+    const auto read = [&](const TableReader& table) {
+        read_lines(table, sides, [&](const Lines& lines) { add(table, lines, number); });
+        ++number;
+    };
+    if (const auto& line = sides.left.*own) {
+        add(axle.table(key), {*line, *(sides.right.*own)}, number++);
+    } else if (const auto table = axle.optional_table(key)) {
+        read(*table);
+    }
+    if (!axle.has("further_" + key)) return;
+    for (const TableReader& table : axle.tables("further_" + key)) read(table);
 }
 
 // "front_left", then "front_left_2": the prefix of an element's channels.
@@ -122,24 +131,20 @@ void add_springs_and_dampers(const TableReader& axle, const AxleSides& sides, Su
     const std::string name = axle.text("name");
     std::vector<SuspensionSpringDescription> right_springs;
     std::vector<SuspensionDamperDescription> right_dampers;
-    std::size_t number = 0;
-    for (const TableReader& table : elements(axle, "spring", "further_spring", sides.left.spring_line.has_value())) {
-        const bool own = number == 0 && sides.left.spring_line;
-        const Lines lines = own ? Lines{*sides.left.spring_line, *sides.right.spring_line} : read_lines(table, sides);
+    const auto add_spring = [&](const TableReader& table, const Lines& lines, std::size_t number) {
         SpringDescription spring = read_spring(table, lines.turns);
         left.springs.push_back({numbered(name + "_left", number), lines.left, spring});
         spring.force_at_design *= lines.sense;
-        right_springs.push_back({numbered(name + "_right", number++), lines.right, spring});
-    }
-    number = 0;
-    for (const TableReader& table : elements(axle, "damper", "further_damper", sides.left.damper_line.has_value())) {
-        const bool own = number == 0 && sides.left.damper_line;
-        const Lines lines = own ? Lines{*sides.left.damper_line, *sides.right.damper_line} : read_lines(table, sides);
+        right_springs.push_back({numbered(name + "_right", number), lines.right, spring});
+    };
+    const auto add_damper = [&](const TableReader& table, const Lines& lines, std::size_t number) {
         DamperDescription damper = read_any_damper(table, lines.turns);
         left.dampers.push_back({numbered(name + "_left", number), lines.left, damper});
         if (lines.sense < 0) turn_over(damper);
-        right_dampers.push_back({numbered(name + "_right", number++), lines.right, damper});
-    }
+        right_dampers.push_back({numbered(name + "_right", number), lines.right, damper});
+    };
+    for_each_element(axle, "spring", sides, &Composition::spring_line, add_spring);
+    for_each_element(axle, "damper", sides, &Composition::damper_line, add_damper);
     right.springs.insert(right.springs.end(), right_springs.begin(), right_springs.end());
     right.dampers.insert(right.dampers.end(), right_dampers.begin(), right_dampers.end());
     if (!sides.left.twist) return;

@@ -1,13 +1,11 @@
-#include "hamilcar/io/axle_file.hpp"
+#include "hamilcar/io/vehicle_tables.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
-#include "hamilcar/io/axial_file.hpp"
-#include "hamilcar/io/body_file.hpp"
-#include "hamilcar/io/linkage_file.hpp"
-#include "hamilcar/io/mirror.hpp"
 #include "hamilcar/linkage/compose.hpp"
 #include "hamilcar/suspension/recipe.hpp"
 #include "hamilcar/tire/mirrored.hpp"
@@ -19,15 +17,39 @@ using hamilcar::mirrored;
 
 namespace {
 
-void read_keys(const TableReader& table, const std::vector<HardpointKey>& keys, bool on_trailer, Hardpoints& to) {
+// The right side of an axle: the left one seen in the plane y = 0.
+// Points change the sign of y. A product of inertia changes its sign once for every y in it. A mirrored spin axis would
+// point to the right; all wheels of a vehicle spin about axes toward the left, so it is turned round: (a, b, c) becomes
+// (-a, b, -c). The rack is one piece and its axis stays.
+template <class... Points>
+void mirror_points(Points&... points) {
+    ((points[1] = -points[1]), ...);
+}
+
+void mirror(BodyDescription& body) {
+    mirror_points(body.center_of_mass);
+    auto& [xy, yz, xz] = body.products;
+    xy = -xy, yz = -yz;
+}
+
+WheelDescription mirrored_wheel(WheelDescription wheel) {
+    mirror_points(wheel.center);
+    auto& [a, b, c] = wheel.spin_axis;
+    a = -a, c = -c;
+    return wheel;
+}
+
+// Tells a recorder what keys mean, in a suspension or everywhere.
+void note_meanings(const TableReader& table, const std::vector<HardpointKey>& keys, std::string_view suspension = {}) {
+    for (const HardpointKey& key : keys) table.note(key.key, key.meaning, suspension);
+}
+
+void read_keys(const TableReader& table, const std::vector<HardpointKey>& keys, Hardpoints& to) {
     for (const HardpointKey& key : keys) {
         const std::string name(key.key);
         switch (key.kind) {
-            case HardpointKind::flag:
-                // The driver's rack does not reach a trailer; a schema has one kind of axle for both.
-                to.numbers[name] =
-                    table.boolean(key.key, key.default_value[0] != 0 && (!on_trailer || table.is_recording()));
-                table.expect(!on_trailer || !to.flag(name), key.key, "false on a trailer");
+            case HardpointKind::flag:  // `steered` was read before
+                if (!to.numbers.contains(name)) to.numbers[name] = table.boolean(key.key, key.default_value[0] != 0);
                 break;
             case HardpointKind::number: to.numbers[name] = table.number(key.key, positive, key.default_value[0]); break;
             case HardpointKind::length:
@@ -35,7 +57,6 @@ void read_keys(const TableReader& table, const std::vector<HardpointKey>& keys, 
                 break;
             case HardpointKind::direction: to.points[name] = table.unit_direction(key.key, key.default_value); break;
             case HardpointKind::point:
-                // `steered` stands before the keys that only a steered axle has
                 if (key.only_steered && !to.flag("steered")) break;
                 to.points[name] = table.array<3>(key.key);
         }
@@ -47,19 +68,20 @@ const std::vector<HardpointKey> rocker_keys{{"pivot_m", HardpointKind::point, "a
                                             {"rod_rocker_m", HardpointKind::point, "push rod, end on the rocker"},
                                             {"rod_end_m", HardpointKind::point, "push rod, end on the suspension"}};
 
-Hardpoints read_hardpoints(const TableReader& axle, const Recipe& recipe, bool on_trailer) {
+Hardpoints read_hardpoints(const TableReader& axle, const Recipe& recipe, bool steered, bool has_rocker) {
     Hardpoints points;
-    read_keys(axle.table("hardpoints"), recipe.keys, on_trailer, points);
+    points.numbers["steered"] = steered ? 1 : 0;
+    read_keys(axle.table("hardpoints"), recipe.keys, points);
     note_meanings(axle.table("hardpoints"), recipe.keys, recipe.keyword);
     for (const auto& [one, other] : recipe.distinct_points) {
         axle.table("hardpoints")
             .expect(points[one] != points[other], other, fmt::format("a point apart from '{}'", one));
     }
-    if (recipe.may_have_rocker && axle.has("rocker")) {
+    if (has_rocker) {
         const TableReader rocker = axle.table("rocker");
         constexpr std::string_view parts[] = {"lower_arm", "carrier"};
         points.rod_on = parts[rocker.one_of("rod_on", parts)];
-        read_keys(rocker, rocker_keys, on_trailer, points);
+        read_keys(rocker, rocker_keys, points);
         note_meanings(rocker, rocker_keys);
     }
     return points;
@@ -107,7 +129,7 @@ SuspensionWheelDescription read_left_wheel(const TableReader& axle, const NamedT
 SuspensionWheelDescription right_wheel(SuspensionWheelDescription wheel, const std::string& axle, std::size_t part) {
     wheel.name = axle + "_right";
     wheel.part = part;
-    wheel.wheel = mirrored(wheel.wheel);
+    wheel.wheel = mirrored_wheel(wheel.wheel);
     wheel.tire = hamilcar::mirrored(wheel.tire);
     return wheel;
 }
@@ -126,43 +148,10 @@ void add_bodies(const TableReader& axle, const Composition& composition, const W
     }
 }
 
-// An axle as one suspension with two wheels.
-void add_two_wheel_suspension(const TableReader& axle, const NamedTires& tires, const Composition& composition,
-                              std::string_view usual_part, SuspensionDescription suspension,
-                              VehicleDescription& vehicle) {
-    suspension.linkage = composition.linkage;
-    suspension.wheels = {read_left_wheel(axle, tires, composition)};
-    suspension.wheels.push_back(right_wheel(suspension.wheels[0], suspension.name, composition.carriers[1]));
-    add_bodies(
-        axle, composition,
-        composition.parts[0].left == composition.parts[0].right ? WheelDescription{} : suspension.wheels[0].wheel,
-        suspension);
-    add_springs_and_dampers(axle, {composition, composition, usual_part}, suspension, suspension);
-    vehicle.suspensions.push_back(suspension);
-}
-
-// The left suspension and its mirror image.
-void add_pair_of_suspensions(const TableReader& axle, const NamedTires& tires, const Composition& left,
-                             const Composition& right, std::string_view usual_part, const SuspensionDescription& named,
-                             VehicleDescription& vehicle) {
-    SuspensionDescription suspension = named;
-    suspension.name = named.name + "_left";
-    suspension.linkage = left.linkage;
-    suspension.wheels = {read_left_wheel(axle, tires, left)};
-    add_bodies(axle, left, suspension.wheels[0].wheel, suspension);
-    SuspensionDescription other = suspension;
-    other.name = named.name + "_right";
-    other.linkage = right.linkage;
-    other.wheels[0] = right_wheel(suspension.wheels[0], named.name, right.carriers[0]);
-    for (SuspensionBodyDescription& body : other.bodies) mirror(body.body);
-    add_springs_and_dampers(axle, {left, right, usual_part}, suspension, other);
-    vehicle.suspensions.push_back(suspension), vehicle.suspensions.push_back(other);
-}
-
 // What fits into one suspension; vehicle/suspension.hpp has the places.
 void check_sizes(const TableReader& axle, const SuspensionDescription& suspension) {
-    const auto at_most = [](const char* what, int most) {
-        return std::to_string(most) + " " + what +
+    const auto at_most = [](const char* what, int max) {
+        return std::to_string(max) + " " + what +
                " at most in one suspension, both sides of one that carries two wheels";
     };
     axle.expect(suspension.springs.size() <= std::size_t{max_axial_elements}, "further_spring",
@@ -173,7 +162,57 @@ void check_sizes(const TableReader& axle, const SuspensionDescription& suspensio
                 at_most("bodies with a mass", max_bodies));
 }
 
-}  // namespace
+// An axle as one suspension with two wheels, or the left suspension and its mirror image.
+void add_suspensions(const TableReader& axle, const NamedTires& tires, const AxleSides& sides,
+                     const SuspensionDescription& named, VehicleDescription& vehicle) {
+    const Composition& composition = sides.left;
+    const bool two_wheels = composition.carriers.size() == 2;
+    SuspensionDescription left = named;
+    left.linkage = composition.linkage;
+    left.wheels = {read_left_wheel(axle, tires, composition)};
+    const bool carrier_holds_both = composition.parts[0].left == composition.parts[0].right && two_wheels;
+    add_bodies(axle, composition, carrier_holds_both ? WheelDescription{} : left.wheels[0].wheel, left);
+    SuspensionDescription right = left;
+    const SuspensionWheelDescription other = right_wheel(left.wheels[0], named.name, sides.right.carriers.back());
+    if (two_wheels) {
+        left.wheels.push_back(other);
+        add_springs_and_dampers(axle, sides, left, left);
+        vehicle.suspensions.push_back(left);
+    } else {
+        left.name = named.name + "_left", right.name = named.name + "_right";
+        right.linkage = sides.right.linkage;
+        right.wheels[0] = other;
+        for (SuspensionBodyDescription& body : right.bodies) mirror(body.body);
+        add_springs_and_dampers(axle, sides, left, right);
+        vehicle.suspensions.push_back(left), vehicle.suspensions.push_back(right);
+    }
+    if (!axle.is_recording()) check_sizes(axle, vehicle.suspensions.back());
+}
+
+// Whether it is steered and has a rocker decides which points and parts an axle has.
+void read_recipe(const TableReader& axle, const Recipe& recipe, bool on_trailer,
+                 const std::function<void(const Composition&, const Composition&)>& use) {
+    const auto compose = [&](bool steered, bool has_rocker) {
+        const Hardpoints points = read_hardpoints(axle, recipe, steered, has_rocker);
+        const Composition left = recipe.compose(points);
+        if (!axle.is_recording()) check_composition(axle, left, read_wheel(axle.table("wheel")));
+        use(left, recipe.two_wheels ? left : recipe.compose(points.mirrored_side()));
+    };
+    const auto read = [&](bool steered) {
+        if (!recipe.may_have_rocker) return compose(steered, false);
+        axle.choose_presence("rocker", [&](bool has_rocker) { compose(steered, has_rocker); });
+    };
+    const auto key = std::ranges::find(recipe.keys, "steered", &HardpointKey::key);
+    if (key == recipe.keys.end()) return read(false);
+    const TableReader points = axle.table("hardpoints");
+    // The driver's rack does not reach a trailer; a schema has one kind of axle for both.
+    const bool by_default = key->default_value[0] != 0 && (!on_trailer || axle.is_recording());
+    points.choose_flag(key->key, by_default, axle, [&](bool steered) {
+        points.expect(!on_trailer || !steered, key->key, "false on a trailer");
+        read(steered);
+    });
+    note_meanings(points, {*key}, recipe.keyword);
+}
 
 std::vector<std::string_view> suspension_keywords() {
     std::vector<std::string_view> words;
@@ -182,34 +221,26 @@ std::vector<std::string_view> suspension_keywords() {
     return words;
 }
 
-void note_meanings(const TableReader& table, const std::vector<HardpointKey>& keys, std::string_view suspension) {
-    for (const HardpointKey& key : keys) table.note(key.key, key.meaning, suspension);
-}
+}  // namespace
 
 void read_axle(const TableReader& axle, const NamedTires& tires, std::size_t unit, VehicleDescription& vehicle) {
-    const std::vector<std::string_view> words = suspension_keywords();
-    const std::string_view keyword = words[axle.one_of("suspension", words)];
-    const Recipe* recipe = find_recipe(keyword);
-    Composition left, right;
-    if (recipe) {
-        const Hardpoints points = read_hardpoints(axle, *recipe, unit > 0);
-        left = recipe->compose(points);
-        if (!recipe->two_wheels) right = recipe->compose(points.mirrored_side());
-        if (!axle.is_recording()) check_composition(axle, left, read_wheel(axle.table("wheel")));
-    } else {
-        left = read_linkage(axle, read_wheel(axle.table("wheel")), unit > 0);
-        if (left.carriers.size() == 1) right = mirrored_composition(left);
-    }
-    const std::string_view usual_part = recipe ? recipe->spring_part : left.parts[0].name;
-    SuspensionDescription named;
-    named.name = axle.text("name"), named.keyword = keyword, named.unit = unit;
     const std::size_t first_wheel = wheel_count(vehicle);
-    if (left.carriers.size() == 2) {
-        add_two_wheel_suspension(axle, tires, left, usual_part, named, vehicle);
-    } else {
-        add_pair_of_suspensions(axle, tires, left, right, usual_part, named, vehicle);
-    }
-    if (!axle.is_recording()) check_sizes(axle, vehicle.suspensions.back());
+    const std::vector<std::string_view> words = suspension_keywords();
+    axle.choose("suspension", words, {}, [&](std::size_t word) {
+        SuspensionDescription named;
+        named.name = axle.text("name"), named.keyword = words[word], named.unit = unit;
+        if (const Recipe* recipe = find_recipe(words[word])) {
+            read_recipe(axle, *recipe, unit > 0, [&](const Composition& left, const Composition& right) {
+                add_suspensions(axle, tires, {left, right, recipe->spring_part}, named, vehicle);
+            });
+            return;
+        }
+        axle.choose_presence("right_carrier_part", [&](bool two_wheels) {
+            const Composition left = read_linkage(axle, read_wheel(axle.table("wheel")), two_wheels, unit > 0);
+            const Composition right = two_wheels ? left : mirrored_composition(left);
+            add_suspensions(axle, tires, {left, right, left.parts[0].name}, named, vehicle);
+        });
+    });
     if (const auto bar = axle.optional_table("anti_roll_bar")) {
         vehicle.anti_roll_bars.push_back({first_wheel, first_wheel + 1, bar->number("rate_N_per_m", not_negative)});
     }

@@ -1,15 +1,15 @@
 // An inertia is checked by what every mass distribution obeys: principal moments are sums A = b + c, B = a + c,
 // C = a + b of integrals a, b, c >= 0, hence none is negative and none exceeds the sum of the other two.
-#include "hamilcar/io/body_file.hpp"
+#include "hamilcar/io/vehicle_tables.hpp"
 
-#include "hamilcar/io/number_text.hpp"
+#include "hamilcar/base/text.hpp"
+#include "hamilcar/base/units.hpp"
 #include "hamilcar/math/convert.hpp"
 #include "hamilcar/math/eigen.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace hamilcar::io {
 
@@ -38,7 +38,7 @@ bool obeys_triangle(const Vec3<double>& moments) {
 std::string tilt_at_fault(const Mat3<double>& resting, const WheelDescription& wheel) {
     const Vec3<double> left = Vec3<double>::UnitY();
     if (!obeys_triangle(principal_moments(resting + wheel.spin_inertia * left * left.transpose()))) return "";
-    const double tilt = std::acos(std::clamp(wheel.spin_axis[1], -1.0, 1.0)) * 180 / std::numbers::pi;
+    const double tilt = std::acos(std::clamp(wheel.spin_axis[1], -1.0, 1.0)) / units::degree;
     return ", which it would not be were the wheel upright: with camber_deg and toe_in_deg (or spin_axis) its axis is "
            "tilted by " +
            number_text(tilt) + " deg";
@@ -47,9 +47,9 @@ std::string tilt_at_fault(const Mat3<double>& resting, const WheelDescription& w
 void check_inertia(const TableReader& table, const BodyDescription& body, const WheelDescription& wheel) {
     const Vec3<double> axis = vec3(wheel.spin_axis);
     const Mat3<double> resting = inertia_matrix(body), whole = resting + wheel.spin_inertia * axis * axis.transpose();
-    const Vec3<double> least = principal_moments(resting), moments = principal_moments(whole);
-    table.expect(least[0] >= -rounding * least[2], "inertia_kg_m2",
-                 "no principal moment below zero (here " + number_text(least[0]) + ")");
+    const Vec3<double> min = principal_moments(resting), moments = principal_moments(whole);
+    table.expect(min[0] >= -rounding * min[2], "inertia_kg_m2",
+                 "no principal moment below zero (here " + number_text(min[0]) + ")");
     table.expect(obeys_triangle(moments), "inertia_kg_m2",
                  "no principal moment above the sum of the other two (here " + number_text(moments[0]) + ", " +
                      number_text(moments[1]) + ", " + number_text(moments[2]) + ")" + tilt_at_fault(resting, wheel));

@@ -1,11 +1,11 @@
 #include "hamilcar/io/column_file.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 
-#include "hamilcar/io/crg_text.hpp"
+#include "hamilcar/base/text.hpp"
+#include "hamilcar/base/units.hpp"
+#include "hamilcar/io/crg_parts.hpp"
+#include "hamilcar/io/csv.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/key_unit.hpp"
 #include "hamilcar/io/spelling.hpp"
@@ -15,43 +15,6 @@ namespace hamilcar::io {
 
 namespace {
 
-struct HeadingUnit {
-    std::string_view symbol, si;
-    double to_si;
-};
-constexpr std::array heading_units{
-    HeadingUnit{"s", "s", 1},     HeadingUnit{"ms", "s", 1e-3},
-    HeadingUnit{"m", "m", 1},     HeadingUnit{"mm", "m", 1e-3},
-    HeadingUnit{"rad", "rad", 1}, HeadingUnit{"deg", "rad", std::numbers::pi / 180},
-    HeadingUnit{"N m", "N m", 1}, HeadingUnit{"Nm", "N m", 1},
-    HeadingUnit{"m/s", "m/s", 1}, HeadingUnit{"km/h", "m/s", 1 / 3.6},
-    HeadingUnit{"", "", 1},       HeadingUnit{"1", "", 1},
-    HeadingUnit{"-", "", 1},      HeadingUnit{"%", "", 0.01},
-};
-
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // that spreadsheets put before UTF-8
-
-const HeadingUnit* find_unit(std::string_view symbol) {
-    const auto* found = std::ranges::find(heading_units, symbol, &HeadingUnit::symbol);
-    return found == heading_units.end() ? nullptr : found;
-}
-
-// The fields of a line; those in quotation marks may contain the separator.
-std::vector<std::string_view> fields_of(std::string_view line, char separator) {
-    std::vector<std::string_view> fields;
-    bool quoted = false;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i <= line.size(); ++i) {
-        if (i < line.size() && line[i] == '"') quoted = !quoted;
-        if (i < line.size() && (quoted || line[i] != separator)) continue;
-        std::string_view field = crg::trimmed(line.substr(begin, i - begin));
-        if (field.size() > 1 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
-        fields.push_back(field);
-        begin = i + 1;
-    }
-    return fields;
-}
-
 struct Heading {
     std::string_view name, unit;
 };
@@ -59,7 +22,7 @@ struct Heading {
 Heading heading_of(std::string_view field) {
     const std::size_t open = field.rfind('[');
     if (open == std::string_view::npos || !field.ends_with(']')) return {field, {}};
-    return {crg::trimmed(field.substr(0, open)), crg::trimmed(field.substr(open + 1, field.size() - open - 2))};
+    return {trimmed(field.substr(0, open)), trimmed(field.substr(open + 1, field.size() - open - 2))};
 }
 
 // Where a column stands, and what its numbers are multiplied by to be SI.
@@ -72,22 +35,20 @@ struct Column {
 class ColumnReader {
 public:
     ColumnReader(std::string_view text, const std::string& path, const ColumnRequest& request)
-        : text_(text), path_(path), request_(request) {
-        if (text.starts_with(byte_order_mark)) text_.skip(byte_order_mark.size());
-    }
+        : text_(without_byte_order_mark(text)), path_(path), request_(request) {}
 
     Samples read() {
         std::string_view line = next();
         if (line.empty()) fail("no line with headings: expected one with '" + request_.value + "' in it");
         const std::size_t at = line.find_first_of(",;\t");
         separator_ = at == std::string_view::npos ? ',' : line[at];
-        const std::vector<std::string_view> headings = fields_of(line, separator_);
+        const std::vector<std::string_view> headings = csv_fields(line, separator_);
         const Column x = column(headings, request_.argument, request_.argument_key);
         const Column y = column(headings, request_.value, request_.value_key);
         const double unit = unit_of_key(request_.value_key).to_si;
         Samples samples;
         while (!(line = next()).empty()) {
-            const std::vector<std::string_view> fields = fields_of(line, separator_);
+            const std::vector<std::string_view> fields = csv_fields(line, separator_);
             if (fields.size() != headings.size()) {
                 fail(std::to_string(fields.size()) + " fields: expected " + std::to_string(headings.size()) +
                      ", one for each heading");
@@ -109,7 +70,7 @@ private:
     std::string_view next() {
         while (!text_.rest().empty()) {
             const std::string_view line = text_.next_line();
-            if (const auto said = crg::trimmed(line); !said.empty() && said.front() != '#') return line;
+            if (const auto said = trimmed(line); !said.empty() && said.front() != '#') return line;
         }
         return {};
     }
@@ -131,7 +92,7 @@ private:
         const KeyUnit wanted = unit_of_key(key);
         const std::string_view unit = heading_of(headings[place]).unit;
         if (unit.empty()) return {name, place, wanted.to_si};
-        const HeadingUnit *given = find_unit(unit), *own = find_unit(wanted.symbol);
+        const auto given = units::product(unit), own = units::product(wanted.symbol);
         if (!given || !own || given->si != own->si) {
             fail("'" + name + "' is in [" + std::string(unit) + "]: expected [" + wanted.symbol +
                  "] or a unit that stands for the same");
@@ -140,8 +101,8 @@ private:
     }
 
     double number(const std::vector<std::string_view>& fields, const Column& of) const {
-        const auto value = crg::number_in(fields[of.place]);
-        if (!value || !std::isfinite(*value)) {
+        const auto value = number_in(fields[of.place]);
+        if (!value) {
             fail("'" + of.name + "' = '" + std::string(fields[of.place]) + "': expected a finite number");
         }
         return *value * of.to_si;
@@ -149,8 +110,8 @@ private:
 
     void check(double value, std::string_view written, const Column& of) const {
         const Range& range = request_.range;
-        const bool enough = range.least_included ? value >= range.least : value > range.least;
-        if (enough && value <= range.most) return;
+        const bool enough = range.min_included ? value >= range.min : value > range.min;
+        if (enough && value <= range.max) return;
         fail("'" + of.name + "' = " + std::string(written) + ": expected a " +
              with_unit(std::string(range.words), request_.value_key));
     }
@@ -170,9 +131,7 @@ Samples parse_columns(std::string_view text, const std::string& path, const Colu
 std::string read_named_file(const TableReader& table, std::string_view key) {
     const std::string path = table.path_to_file(key);
     try {
-        std::string text = read_whole_file(path, LargestFile::columns);
-        if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
-        return text;
+        return std::string(without_byte_order_mark(read_whole_file(path, FileLimit::columns)));
     } catch (const Error& unreadable) {
         try {
             table.expect(false, key, std::string("a file that can be read, but ") + unreadable.what());

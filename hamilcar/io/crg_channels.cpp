@@ -1,9 +1,11 @@
-#include "hamilcar/io/crg_channels.hpp"
+#include "hamilcar/io/crg_parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "hamilcar/base/text.hpp"
 
 namespace hamilcar::io::crg {
 
@@ -35,18 +37,19 @@ Cuts sort_out(const Header& header, Channels& found) {
             if (place) fail("the channel once");
             place = i;
         };
+        take("reference line u", "m", found.u);
         take("reference line phi", "rad", found.phi);
         take("reference line slope", "m/m", found.slope);
         take("reference line banking", "m/m", found.banking);
-        if (name == "reference line x" || name == "reference line y" || name == "reference line u")
-            fail("the reference line by its phi; channels of x, y and u are not supported");
+        if (name == "reference line x" || name == "reference line y")
+            fail("the reference line by its phi; channels of x and y are not supported");
         constexpr std::string_view section = "long section ", at = "at v =";
         if (!name.starts_with(section)) continue;
         demand_unit("m");
         const std::string_view where = std::string_view(name).substr(section.size());
         const bool by_position = where.starts_with(at);
         const std::optional<double> read = number_in(by_position ? where.substr(at.size()) : where);
-        if (!read || !(std::abs(*read) <= farthest))
+        if (!read || !(std::abs(*read) <= max_distance))
             header.fail(channel.line, "d:" + name, "long section NUMBER or long section at v = NUMBER");
         (by_position ? cuts.placed : cuts.numbered).push_back({*read, i});
     }
@@ -55,7 +58,7 @@ Cuts sort_out(const Header& header, Channels& found) {
 
 }  // namespace
 
-Channels find_channels(const Header& header) {
+Channels find_channels(const Header& header, CrgDescription& road) {
     Channels found;
     auto [numbered, placed] = sort_out(header, found);
     std::vector<Cut>& cuts = placed.empty() ? numbered : placed;
@@ -65,24 +68,31 @@ Channels find_channels(const Header& header) {
     if (cuts.size() < 2) header.fail(section_line, "d:long section", "two sections at least");
     std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.at < b.at; });
 
-    const auto last = static_cast<double>(cuts.size() - 1);
-    const double step = header.number(road_section, "long_section_v_increment", 0.01, least_step, most_step);
-    const double right = header.number(road_section, "long_section_v_right", -0.5 * last * step, -farthest, farthest);
+    const double step = header.number(road_section, "long_section_v_increment", 0.01, min_step, max_step);
+    // The specification leaves the default open; OpenCRG's library takes zero, its MATLAB tools center the road.
+    const double right = header.number(road_section, "long_section_v_right", 0, -max_distance, max_distance);
+    if (placed.empty() && !header.has(road_section, "long_section_v_right"))
+        road.remarks.push_back(header.remark(section_line, "long_section_v_right",
+                                             "is missing: the first section lies on the reference line"));
     for (std::size_t j = 0; j < cuts.size(); ++j) {
         const Channel& channel = header.channels()[cuts[j].channel];
         const auto count = static_cast<double>(j);
         if (placed.empty() && std::abs(cuts[j].at - count - 1) > 1e-3)
             header.fail(channel.line, "d:" + channel.name, fmt::format("each number from 1 to {} once", cuts.size()));
         found.v.push_back(placed.empty() ? right + count * step : cuts[j].at);
-        if (j > 0 && !(found.v[j] - found.v[j - 1] >= least_step))
-            header.fail(channel.line, "d:" + channel.name, fmt::format("sections {:g} m apart at least", least_step));
+        if (j > 0 && !(found.v[j] - found.v[j - 1] >= min_step))
+            header.fail(channel.line, "d:" + channel.name, fmt::format("sections {:g} m apart at least", min_step));
         found.sections.push_back(cuts[j].channel);
     }
-    const double left = header.number(road_section, "long_section_v_left", found.v.back(), -farthest, farthest);
+    const double left = header.number(road_section, "long_section_v_left", found.v.back(), -max_distance, max_distance);
     if (placed.empty() && std::abs(left - found.v.back()) > 1e-3 + 0.1 * step)
-        header.fail(header.line_of(road_section, "long_section_v_left"), "long_section_v_left",
-                    fmt::format("{:g}, where {} sections lead", found.v.back(), cuts.size()));
-    if (!(std::abs(found.v.back()) <= farthest)) header.fail(section_line, "d:long section", "a road less wide");
+        road.remarks.push_back(
+            header.remark(header.line_of(road_section, "long_section_v_left"), "long_section_v_left",
+                          fmt::format("is not used: {} sections end at {:g}", cuts.size(), found.v.back())));
+    if (!(std::abs(found.v.back()) <= max_distance))
+        header.fail(section_line, "d:long section",
+                    fmt::format("a road within {:g} m of its reference line", max_distance));
+    road.v = found.v;
     return found;
 }
 

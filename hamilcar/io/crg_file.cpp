@@ -7,11 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 
-#include "hamilcar/io/crg_modifiers.hpp"
-#include "hamilcar/io/crg_rows.hpp"
+#include "hamilcar/base/text.hpp"
+#include "hamilcar/io/crg_parts.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/whole_file.hpp"
+#include "hamilcar/road/crg_road.hpp"
 
 namespace hamilcar::io {
 
@@ -22,8 +25,11 @@ namespace {
 // Start and spacing of the reference line. The virtual channel repeats them, rounded; it counts where no key tells
 // them.
 void place_line(const Header& header, CrgDescription& road) {
-    const auto coordinate = [&](const char* key) { return header.number(road_section, key, 0, -farthest, farthest); };
+    const auto coordinate = [&](const char* key) {
+        return header.number(road_section, key, 0, -max_distance, max_distance);
+    };
     double start = 0, step = 0.01;
+    const auto has = [&](const char* key) { return header.has(road_section, key); };
     if (header.u_channel().value.starts_with("reference line u")) {
         std::array<std::string_view, 4> fields;
         std::string_view text = header.u_channel().value;
@@ -31,69 +37,53 @@ void place_line(const Header& header, CrgDescription& road) {
             field = text.substr(0, text.find(','));
             text.remove_prefix(std::min(text.size(), field.size() + 1));
         }
-        start = number_in(fields[2]).value_or(coordinate("reference_line_start_u"));
-        step = number_in(fields[3]).value_or(
-            header.number(road_section, "reference_line_increment", step, least_step, most_step));
-        if (!(std::abs(start) <= farthest && step >= least_step && step <= most_step))
+        start = number_in(fields[2]).value_or(0);
+        step = number_in(fields[3]).value_or(step);
+        const bool needed = !has("reference_line_start_u") || !has("reference_line_increment");
+        if (needed && !(std::abs(start) <= max_distance && step >= min_step && step <= max_step))
             header.fail(header.u_channel().line, "u:reference line u", "m, a start and an increment");
     }
-    road.u_start = header.number(road_section, "reference_line_start_u", start, -farthest, farthest);
-    road.u_increment = header.number(road_section, "reference_line_increment", step, least_step, most_step);
-    const double rounding = 1e-3 + 1e-6 * std::abs(start);  // [m]
-    if (header.u_channel().line > 0 &&
-        (std::abs(road.u_start - start) > rounding || std::abs(road.u_increment - step) > 1e-3))
-        header.fail(header.u_channel().line, "u:reference line u", "the start and increment of $road_crg");
+    road.u_start = header.number(road_section, "reference_line_start_u", start, -max_distance, max_distance);
+    road.u_increment = header.number(road_section, "reference_line_increment", step, min_step, max_step);
 
     road.x = coordinate("reference_line_start_x");
     road.y = coordinate("reference_line_start_y");
-    road.z = header.number(road_section, "reference_line_start_z", 0, -highest, highest);
-    road.phi = header.number(road_section, "reference_line_start_phi", 0, -most_turned, most_turned);
-    road.slope = header.number(road_section, "reference_line_start_s", 0, -steepest, steepest);
-    road.banking = header.number(road_section, "reference_line_start_b", 0, -steepest, steepest);
-    road.end_x = header.maybe(road_section, "reference_line_end_x", farthest);
-    road.end_y = header.maybe(road_section, "reference_line_end_y", farthest);
-    road.end_z = header.maybe(road_section, "reference_line_end_z", highest);
+    road.z = header.number(road_section, "reference_line_start_z", 0, -max_height, max_height);
+    road.phi = header.number(road_section, "reference_line_start_phi", 0, -max_heading, max_heading);
+    road.slope = header.number(road_section, "reference_line_start_s", 0, -max_slope, max_slope);
+    road.banking = header.number(road_section, "reference_line_start_b", 0, -max_slope, max_slope);
+    road.end_x = header.maybe(road_section, "reference_line_end_x", max_distance);
+    road.end_y = header.maybe(road_section, "reference_line_end_y", max_distance);
+    road.end_z = header.maybe(road_section, "reference_line_end_z", max_height);
     if (road.end_x.has_value() != road.end_y.has_value()) {
         const std::string key = road.end_x ? "reference_line_end_x" : "reference_line_end_y";
-        header.fail(header.line_of(road_section, key), key, "both reference_line_end_x and reference_line_end_y");
+        road.remarks.push_back(header.remark(header.line_of(road_section, key), key, "is not used without its fellow"));
+        road.end_x = road.end_y = std::nullopt;
     }
 }
 
-void read_options(const Header& header, CrgDescription& road) {
+void read_options(const Header& header, const Header& modifiers, CrgDescription& road) {
     const std::string& of = options_section;
     road.border_u = static_cast<CrgBorder>(header.choice(of, "border_mode_u", 2, 4));
     road.border_v = static_cast<CrgBorder>(header.choice(of, "border_mode_v", 2, 4));
-    road.border_offset_u = header.number(of, "border_offset_u", 0, -highest, highest);
-    road.border_offset_v = header.number(of, "border_offset_v", 0, -highest, highest);
-    road.smooth_start = header.number(of, "border_smooth_ubeg", 0, 0, farthest);
-    road.smooth_end = header.number(of, "border_smooth_uend", 0, 0, farthest);
+    road.border_offset_u = header.number(of, "border_offset_u", 0, -max_height, max_height);
+    road.border_offset_v = header.number(of, "border_offset_v", 0, -max_height, max_height);
+    road.smooth_start = header.number(of, "border_smooth_ubeg", 0, 0, max_distance);
+    road.smooth_end = header.number(of, "border_smooth_uend", 0, 0, max_distance);
 
     // Without the section missing heights are those of their neighbors; with it, only what it says is done.
     const std::string& by = modifiers_section;
-    const bool offset = header.has(by, "grid_nan_offset");
-    const int fallback = header.has_section(by) && !offset ? 0 : 2;
-    road.missing = static_cast<CrgMissing>(header.choice(by, "grid_nan_mode", fallback, 2));
-    road.missing_offset = header.number(by, "grid_nan_offset", 0, -highest, highest);
-    if (offset && road.missing == CrgMissing::none)
-        header.fail(header.line_of(by, "grid_nan_offset"), "grid_nan_offset", "a grid_nan_mode that fills in heights");
+    const bool offset = modifiers.has(by, "grid_nan_offset");
+    const int fallback = modifiers.has_section(by) && !offset ? 0 : 2;
+    road.missing = static_cast<CrgMissing>(modifiers.choice(by, "grid_nan_mode", fallback, 2));
+    road.missing_offset = modifiers.number(by, "grid_nan_offset", 0, -max_height, max_height);
+    if (offset && road.missing == CrgMissing::none) road.missing_offset = 0;
 }
 
-// The end of the line must be where its steps lead, near enough; what is constant must end as it begins.
+// Whether the line ends where its steps lead, near enough; if not, it is told, and the steps give way to the end.
 void check_ends(const Header& header, const Channels& channels, CrgDescription& road) {
-    const double turn = 2 * std::acos(-1.0);
-    const auto same = [&](const char* key, double start, bool varies, double limit) {
-        if (varies || !header.has(road_section, key)) return;
-        const double change = header.number(road_section, key, 0, -most_turned, most_turned) - start;
-        if (std::abs(std::remainder(change, turn)) > limit)
-            header.fail(header.line_of(road_section, key), key,
-                        "the start's value, since no channel says how it changes");
-    };
-    same("reference_line_end_phi", road.phi, channels.phi.has_value(), 1e-5);
-    same("reference_line_end_s", road.slope, channels.slope.has_value(), 1e-6);
-    same("reference_line_end_b", road.banking, channels.banking.has_value(), 1e-6);
-
-    // Spread over the line a miss within this bends no segment noticeably.
     const auto segments = static_cast<double>(road.rows() - 1);
+    // Spread over the line a miss within this bends no segment noticeably.
     const double limit = 0.1 * road.u_increment * std::sqrt(segments) + 1e-6 * segments * road.u_increment;
     double x = road.x, y = road.y, z = road.z;
     for (std::size_t i = 0; i + 1 < road.rows(); ++i) {
@@ -102,17 +92,32 @@ void check_ends(const Header& header, const Channels& channels, CrgDescription& 
         y += road.u_increment * std::sin(phi);
         z += road.u_increment * (channels.slope ? road.slopes[i] : road.slope);
     }
+    const auto tell = [&](const char* key, const std::string& text) {
+        road.remarks.push_back(header.remark(header.line_of(road_section, key), key, text));
+    };
+    const bool sloped = channels.slope || road.slope != 0;
     if (road.end_x && std::hypot(*road.end_x - x, *road.end_y - y) > limit)
-        header.fail(header.line_of(road_section, "reference_line_end_x"), "reference_line_end_x",
-                    fmt::format("an end near ({:g}, {:g}) m, where the headings lead", x, y));
+        tell("reference_line_end_x",
+             fmt::format("is far from ({:g}, {:g}) m, where the headings lead: {}", x, y,
+                         channels.phi ? "the line is drawn there" : "the line goes straight on"));
     if (road.end_z && std::abs(*road.end_z - z) > limit)
-        header.fail(header.line_of(road_section, "reference_line_end_z"), "reference_line_end_z",
-                    fmt::format("an end near {:g} m, where the slopes lead", z));
+        tell("reference_line_end_z", fmt::format("is far from {:g} m, where the slopes lead: {}", z,
+                                                 sloped ? "the line is drawn there" : "it is not used"));
     if (channels.phi) road.phi = road.headings.front();
     if (channels.slope) road.slope = road.slopes.front();
     if (channels.banking) road.banking = road.bankings.front();
     if (!channels.phi) road.end_x = road.end_y = std::nullopt;
-    if (!channels.slope) road.end_z = std::nullopt;
+    if (!sloped) road.end_z = std::nullopt;
+}
+
+// Headings turn little between rows (read_rows), but on the way to an end far from where they lead the line may turn more.
+void check_line(const Header& header, const CrgDescription& road) {
+    const std::size_t fold = first_fold(reference_line(road));
+    if (fold == 0) return;
+    header.fail(
+        header.line_of(road_section, "reference_line_end_x"), "reference_line_end_x",
+        fmt::format("an end to which the line does not turn by a right angle between rows, as it does at u = {:g} m",
+                    road.u_start + static_cast<double>(fold - 1) * road.u_increment));
 }
 
 // Whether the line comes back to where it began, to within a step: the first row may be there again as the last, or not.
@@ -128,14 +133,56 @@ bool ends_at_start(const CrgDescription& road) {
 
 // A line that goes on from its end to its start is a grid that begins again. Many a file says so of an open road, where
 // it can mean nothing.
-void close_line(const Header& header, CrgDescription& road) {
-    const std::array<std::pair<std::string, const char*>, 3> spellings{
-        {{options_section, "refline_continuation"},
-         {options_section, "reference_line_continuation"},
-         {road_section, "reference_line_continuation"}}};
-    bool wanted = false;
-    for (const auto& [section, key] : spellings) wanted = header.choice(section, key, 0, 1) == 1 || wanted;
+void close_line(const Header& header, const Header& options, CrgDescription& road) {
+    const bool wanted = options.choice(options_section, "refline_continuation", 0, 1) == 1 ||
+                        options.choice(options_section, "reference_line_continuation", 0, 1) == 1 ||
+                        header.choice(road_section, "reference_line_continuation", 0, 1) == 1;
     if (wanted && ends_at_start(road)) road.border_u = CrgBorder::repeat;
+}
+
+// The file that $ROAD_CRG_FILE names: beside the file that names it, its $NAME replaced from the environment.
+std::string referenced_path(const Header& header, const std::string& name) {
+    std::string written = header.reference().value;
+    if (const auto at = written.find('$'); at != std::string::npos) {
+        const std::string variable = written.substr(at + 1, written.find('/', at) - at - 1);
+        const char* value = std::getenv(variable.c_str());
+        if (value == nullptr)
+            header.fail(header.reference().line, "$road_crg_file", "the environment to have " + quoted_text(variable));
+        written.replace(at, variable.size() + 1, value);
+    }
+    return (std::filesystem::path(name).parent_path() / written).string();
+}
+
+// A file that only refers to another one has options and modifiers of its own, or leaves them to the other.
+CrgDescription parse(std::string_view bytes, const std::string& name, const Header* options, const Header* modifiers,
+                     int depth) {
+    constexpr int max_depth = 8;
+    Text text(bytes);
+    const Header header(text, name);
+    if (options == nullptr && header.has_section(options_section)) options = &header;
+    if (modifiers == nullptr && header.has_section(modifiers_section)) modifiers = &header;
+    if (const Entry& reference = header.reference(); !reference.value.empty()) {
+        if (depth >= max_depth) header.fail(reference.line, "$road_crg_file", "files that do not refer to each other");
+        const std::string path = referenced_path(header, name);
+        const std::string other = read_whole_file(path, FileLimit::road, name + ": $road_crg_file: ");
+        CrgDescription road = parse(other, path, options, modifiers, depth + 1);
+        road.remarks.insert(road.remarks.begin(), header.remarks().begin(), header.remarks().end());
+        return road;
+    }
+    if (options == nullptr) options = &header;
+    if (modifiers == nullptr) modifiers = &header;
+    CrgDescription road;
+    road.remarks = header.remarks();
+    place_line(header, road);
+    const Channels channels = find_channels(header, road);
+    read_options(*options, *modifiers, road);
+    read_rows(text, header, channels, road);
+    check_ends(header, channels, road);
+    check_line(header, road);
+    modify(*modifiers, header, road);
+    check_line(header, road);
+    close_line(header, *options, road);
+    return road;
 }
 
 }  // namespace
@@ -143,22 +190,11 @@ void close_line(const Header& header, CrgDescription& road) {
 }  // namespace crg
 
 CrgDescription parse_crg(std::string_view bytes, const std::string& name) {
-    crg::Text text(bytes);
-    const crg::Header header(text, name);
-    CrgDescription road;
-    crg::place_line(header, road);
-    const crg::Channels channels = crg::find_channels(header);
-    road.v = channels.v;
-    crg::read_options(header, road);
-    crg::read_rows(text, header, channels, road);
-    crg::check_ends(header, channels, road);
-    crg::modify(header, road);
-    crg::close_line(header, road);
-    return road;
+    return crg::parse(bytes, name, nullptr, nullptr, 0);
 }
 
 CrgDescription read_crg(const std::string& path) {
-    return parse_crg(read_whole_file(path, LargestFile::road), path);
+    return parse_crg(read_whole_file(path, FileLimit::road), path);
 }
 
 }  // namespace hamilcar::io

@@ -16,7 +16,8 @@ enum class CrgFormat {
     binary_double       // KDBI
 };
 
-// Modifiers of the file are applied; missing heights stay NaN. Mistakes are told with their place, ExitCode::bad_file.
+// Modifiers of the file are applied; missing heights stay NaN. A file may refer to another one that has the data, beside
+// it. Mistakes are told with their place, ExitCode::bad_file; what is not used, as a remark of the description.
 CrgDescription read_crg(const std::string& path);
 
 // The same of bytes in memory; `name` stands for the path in messages.

@@ -10,10 +10,10 @@
 #include <stdexcept>
 #include <vector>
 
+#include "hamilcar/base/text.hpp"
 #include "hamilcar/io/crg_file.hpp"
-#include "hamilcar/io/crg_text.hpp"
+#include "hamilcar/io/crg_parts.hpp"
 #include "hamilcar/io/error.hpp"
-#include "hamilcar/io/number_text.hpp"
 #include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::io {
@@ -66,11 +66,12 @@ void append_road(std::string& text, const CrgDescription& d, bool even) {
     if (d.end_x) append_key(text, "REFERENCE_LINE_END_X", *d.end_x);
     if (d.end_y) append_key(text, "REFERENCE_LINE_END_Y", *d.end_y);
     if (d.end_z) append_key(text, "REFERENCE_LINE_END_Z", *d.end_z);
-    if (even) {
-        append_key(text, "LONG_SECTION_V_RIGHT", d.v.front());
-        append_key(text, "LONG_SECTION_V_LEFT", d.v.back());
+    // OpenCRG's library takes missing ones as zero: for the heading beyond the end, and for where banking ends.
+    append_key(text, "REFERENCE_LINE_END_PHI", d.headings.empty() ? d.phi : d.headings.back());
+    append_key(text, "LONG_SECTION_V_RIGHT", d.v.front());
+    append_key(text, "LONG_SECTION_V_LEFT", d.v.back());
+    if (even)
         append_key(text, "LONG_SECTION_V_INCREMENT", (d.v.back() - d.v.front()) / static_cast<double>(d.v.size() - 1));
-    }
     text += "$\n";
 }
 

@@ -1,16 +1,19 @@
+#include "hamilcar/io/csv.hpp"
+
 // Comma-separated rows of shortest round-trip numbers. Rows gather in a buffer; if the disk takes only part of it, the
 // file is cut back to its last whole row, so what can be read of it is right.
-#include <cassert>
 #include <cerrno>
-#include <cstdio>
+#include <cmath>
 #include <cstring>
 #include <utility>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include "hamilcar/base/assert.hpp"
+#include "hamilcar/base/text.hpp"
 #include "hamilcar/io/error.hpp"
-#include "hamilcar/io/number_text.hpp"
 #include "hamilcar/io/results.hpp"
 #include "hamilcar/io/whole_file.hpp"
 
@@ -24,16 +27,8 @@ constexpr std::size_t buffer_size = 1 << 16;  // [byte]
     throw Error(ExitCode::input_output, path + ": cannot " + action + ": " + std::strerror(errno));
 }
 
-// A field with a comma or a quotation mark in it is quoted (RFC 4180).
 void append_heading(std::string& text, const std::string& name, const std::string& unit) {
-    const std::string field = name + " [" + unit + "]";
-    if (field.find_first_of(",\"\n") == std::string::npos) {
-        text += field;
-        return;
-    }
-    text += '"';
-    for (const char c : field) text.append(c == '"' ? 2 : 1, c);
-    text += '"';
+    append_csv_field(text, name + " [" + unit + "]");
 }
 
 class CsvWriter final : public ResultWriter {
@@ -57,7 +52,7 @@ public:
     }
 
     void write(double time, std::span<const double> values) override {
-        assert(values.size() == width_);
+        HAMILCAR_ASSERT(values.size() == width_);
         append_number(pending_, time);
         for (const double value : values) append_number(pending_ += ',', value);
         pending_ += '\n';
@@ -84,7 +79,7 @@ public:
 
     void move_to(const std::string& path) override {
         flush();
-        if (std::rename(path_.c_str(), path.c_str()) != 0) fail(path, "put the file in its place");
+        put_in_place(path_, path);
         path_ = path;
     }
 
@@ -112,6 +107,54 @@ private:
 };
 
 }  // namespace
+
+void append_csv_field(std::string& text, std::string_view field) {
+    if (field.find_first_of(",\"\n") == std::string_view::npos) {
+        text += field;
+        return;
+    }
+    text += '"';
+    for (const char c : field) text.append(c == '"' ? 2 : 1, c);
+    text += '"';
+}
+
+std::vector<std::string_view> csv_fields(std::string_view line, char separator) {
+    std::vector<std::string_view> fields;
+    bool quoted = false;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= line.size(); ++i) {
+        if (i < line.size() && line[i] == '"') quoted = !quoted;
+        if (i < line.size() && (quoted || line[i] != separator)) continue;
+        std::string_view field = trimmed(line.substr(begin, i - begin));
+        if (field.size() > 1 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
+        fields.push_back(field);
+        begin = i + 1;
+    }
+    return fields;
+}
+
+CsvText::CsvText(const std::vector<std::string>& headings) {
+    for (const std::string& heading : headings) cell(heading);
+    end_row();
+}
+
+void CsvText::separate() {
+    if (!first_) text_ += ',';
+    first_ = false;
+}
+
+CsvText& CsvText::cell(std::string_view text) {
+    separate();
+    append_csv_field(text_, text);
+    return *this;
+}
+
+CsvText& CsvText::cell(double number, int digits) {
+    separate();
+    if (!std::isfinite(number)) return *this;
+    text_ += digits == 0 ? fmt::format("{}", number) : fmt::format("{:.{}g}", number, digits);
+    return *this;
+}
 
 std::unique_ptr<ResultWriter> open_csv(const std::string& path, const std::vector<Column>& columns) {
     expect_writable_place(path);

@@ -1,10 +1,10 @@
 // The tree of differentials. A file lists them in any order and names their outputs; a description numbers them from the
 // wheels upward.
-#include "hamilcar/io/differential_file.hpp"
+#include "hamilcar/io/vehicle_tables.hpp"
 
 #include <algorithm>
 
-#include "hamilcar/io/name.hpp"
+#include "hamilcar/io/choices.hpp"
 #include "hamilcar/io/spelling.hpp"
 
 namespace hamilcar::io {
@@ -37,10 +37,12 @@ DifferentialDescription read_differential(const TableReader& table) {
     constexpr std::string_view kinds[] = {"open", "locked", "limited_slip", "torque_biasing", "viscous"};
     DifferentialDescription out;
     out.name = table.text("name");
-    out.kind = static_cast<DifferentialKind>(table.one_of("kind", kinds, 0));
+    table.choose("kind", kinds, 0, [&](std::size_t kind) {
+        out.kind = static_cast<DifferentialKind>(kind);
+        read_lock(table, out);
+    });
     out.ratio = table.number("ratio", positive, 1);
     out.share = table.number("torque_share", fraction, out.share);
-    read_lock(table, out);
     out.shaft_stiffness = table.number("shaft_stiffness_N_m_per_rad", positive);
     out.damping_ratio = table.number("damping_ratio", not_negative, out.damping_ratio);
     return out;
@@ -104,7 +106,8 @@ std::vector<std::size_t> upward(const std::vector<Entry>& entries) {
     while (!open.empty()) {
         const auto next = std::ranges::find_if(open, is_ready);
         // Each has one input at most, so those that are left stand in circles.
-        entries[open[0]].table.expect(next != open.end(), "outputs", "outputs that do not lead back to their input");
+        entries[open[0]].table.expect(next != open.end(), "outputs",
+                                      "outputs without a cycle: these lead back to their own input");
         order.push_back(*next);
         open.erase(next);
     }

@@ -2,10 +2,9 @@
 #include "hamilcar/io/driver_file.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <stdexcept>
 
+#include "hamilcar/base/text.hpp"
 #include "hamilcar/description/powertrain.hpp"
 #include "hamilcar/driver/path.hpp"
 #include "hamilcar/io/column_file.hpp"
@@ -16,48 +15,36 @@ namespace hamilcar::io {
 
 namespace {
 
-constexpr Range whole_gear{.words = "whole number from -1 to 20", .least = -1, .most = max_gears, .is_whole = true};
-constexpr Range whole_forward_gear{
-    .words = "whole number from 1 to 20", .least = 1, .most = max_gears, .is_whole = true};
+constexpr Range whole_gear{.words = "whole number from -1 to 20", .min = -1, .max = max_gears, .is_whole = true};
+constexpr Range whole_forward_gear{.words = "whole number from 1 to 20", .min = 1, .max = max_gears, .is_whole = true};
 constexpr Range preview{"number from 0.2 to 5", 0.2, 5};           // below, arms and tires leave nothing to decide [s]
 constexpr Range interval{"number from 0.001 to 0.1", 0.001, 0.1};  // [s]
-
-// One number of a line, with nothing else around it than blanks.
-bool read_number(std::string_view word, double& value) {
-    const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    while (!word.empty() && is_blank(word.front())) word.remove_prefix(1);
-    while (!word.empty() && is_blank(word.back())) word.remove_suffix(1);
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    return error == std::errc() && end == word.data() + word.size() && std::isfinite(value);
-}
 
 // What a line says; headings have no number at all.
 enum class Line { point, headings, neither };
 
 Line read_line(std::string_view line, std::array<double, 2>& point) {
     const std::size_t comma = std::min(line.find(','), line.size());
-    const bool x = read_number(line.substr(0, comma), point[0]);
-    const bool y = comma < line.size() && read_number(line.substr(comma + 1), point[1]);
+    const auto x = number_in(line.substr(0, comma));
+    const auto y = number_in(line.substr(std::min(comma + 1, line.size())));
+    if (x && y) point = {*x, *y};
     return x && y ? Line::point : x || y ? Line::neither : Line::headings;
 }
 
 std::vector<std::array<double, 2>> read_points(const TableReader& table) {
     std::vector<std::array<double, 2>> points;
-    switch (table.chosen({{"point"}, {"x_m", "y_m"}, {"file"}})) {
-        case 0:
+    table.choose({{"point"}, {"x_m", "y_m"}, {"file"}}, [&](std::size_t group) {
+        if (group == 0) {
             for (const TableReader& point : table.tables("point")) points.push_back(point.array<2>("at_m"));
-            break;
-        case 1: {
+        } else if (group == 1) {
             const std::vector<double> x = table.numbers("x_m", any_number), y = table.numbers("y_m", any_number);
             table.expect(y.size() == x.size(), "y_m", std::to_string(x.size()) + " numbers, one for each of 'x_m'");
             for (std::size_t i = 0; i < x.size(); ++i) points.push_back({x[i], y[i]});
-            break;
-        }
-        default: {
+        } else {
             const std::string path = table.path_to_file("file");
             if (!table.is_recording()) points = parse_path_points(read_named_file(table, "file"), path);
         }
-    }
+    });
     return points;
 }
 
@@ -88,13 +75,15 @@ SpeedControlDescription read_speed(const TableReader& table) {
 
 ShiftingDescription read_gear(const TableReader& table) {
     ShiftingDescription out;
-    if (table.chosen({{"choice"}, {"number"}}) == 1) {
-        const double number = table.number("number", whole_gear);
-        out.gear = table.is_recording() ? 1 : static_cast<int>(number);
-        return out;
-    }
-    table.one_of("choice", std::array<std::string_view, 1>{"automatic"}, 0);
-    out.first_gear = static_cast<int>(table.number("first", whole_forward_gear, out.first_gear));
+    table.choose({{"choice"}, {"number"}}, [&](std::size_t group) {
+        if (group == 1) {
+            const double number = table.number("number", whole_gear);
+            out.gear = table.is_recording() ? 1 : static_cast<int>(number);
+        } else {
+            table.one_of("choice", std::array<std::string_view, 1>{"automatic"}, 0);
+            out.first_gear = static_cast<int>(table.number("first", whole_forward_gear, out.first_gear));
+        }
+    });
     return out;
 }
 

@@ -21,7 +21,7 @@ enum class ExitCode : int {
 
 class Error : public std::runtime_error {
 public:
-    // `key` is the dotted key of a file that the message is about, for whoever knows the file to find its place.
+    // `key` is the dotted key of a file that the message is about, so that its place in the file can be found.
     Error(ExitCode code, const std::string& message, std::string key = {})
         : std::runtime_error(message), code_(code), key_(std::move(key)) {}
     ExitCode code() const { return code_; }

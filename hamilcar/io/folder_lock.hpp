@@ -1,4 +1,4 @@
-// One writer a folder: two runs that write the same results.nc leave a mixture that nobody can tell from a run.
+// One writer a folder: two runs that write the same results.nc leave a mixture that cannot be told from a run.
 #pragma once
 
 #include <string>

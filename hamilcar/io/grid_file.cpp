@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 
+#include "hamilcar/base/text.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/whole_file.hpp"
 
@@ -16,7 +16,7 @@ namespace hamilcar::io {
 namespace {
 
 // Far beyond any road but short of where arithmetic suffers [m].
-constexpr double highest = 1e5, farthest = 1e8, least_size = 1e-6;
+constexpr double max_height = 1e5, max_distance = 1e8, min_size = 1e-6;
 
 // The words of a text, each with its line.
 class Words {
@@ -30,23 +30,15 @@ public:
         return text_.substr(begin, at_ - begin);
     }
     double number(const std::string& what) {
-        std::string_view word = next();
-        if (word.starts_with('+')) word.remove_prefix(1);
-        double value = 0;
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) {
-            fail(fmt::format("expected {}, found {}", what, word.empty() ? "the end of the file" : shown(word)));
-        }
-        return value;
+        const std::string_view word = next();
+        const std::optional<double> value = number_in(word);
+        if (!value)
+            fail(fmt::format("expected {}, found {}", what, word.empty() ? "the end of the file" : quoted_text(word)));
+        return *value;
     }
     std::size_t left() const { return text_.size() - at_; }
     [[noreturn]] void fail(const std::string& message) const {
         throw Error(ExitCode::bad_file, fmt::format("{}:{}: {}", path_, line_, message));
-    }
-    static std::string shown(std::string_view word) {
-        std::string out = "'";
-        for (const char c : word.substr(0, 30)) out += c > ' ' && c < 127 ? c : '?';
-        return out + "'";
     }
 
 private:
@@ -65,12 +57,6 @@ std::size_t count(Words& words, const std::string& key, const std::map<std::stri
     return static_cast<std::size_t>(found->second);
 }
 
-std::string lower(std::string_view word) {
-    std::string out(word);
-    std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return out;
-}
-
 }  // namespace
 
 HeightGridDescription parse_grid(std::string_view text, const std::string& path) {
@@ -80,7 +66,7 @@ HeightGridDescription parse_grid(std::string_view text, const std::string& path)
     std::map<std::string, double> head;
     Words heights = words;
     for (;;) {
-        const std::string key = lower(words.next());
+        const std::string key = lower_case(words.next());
         if (std::ranges::find(keys, key) == keys.end()) break;
         if (head.contains(key)) words.fail("key '" + key + "' a second time");
         head[key] = words.number("a number after '" + key + "'");
@@ -90,8 +76,8 @@ HeightGridDescription parse_grid(std::string_view text, const std::string& path)
     grid.columns = count(words, "ncols", head), grid.rows = count(words, "nrows", head);
     const double size = head.contains("cellsize") ? head["cellsize"] : 0;
     if (!(size > 0)) words.fail("expected a positive 'cellsize' [m] before the heights");
-    if (!(size >= least_size && size <= farthest)) {
-        words.fail(fmt::format("key 'cellsize' = {:g}: expected {:g} to {:g} m", size, least_size, farthest));
+    if (!(size >= min_size && size <= max_distance)) {
+        words.fail(fmt::format("key 'cellsize' = {:g}: expected {:g} to {:g} m", size, min_size, max_distance));
     }
     grid.spacing_x = grid.spacing_y = size;
     const auto corner = [&](const std::string& axis) {
@@ -99,8 +85,8 @@ HeightGridDescription parse_grid(std::string_view text, const std::string& path)
         return (head.contains(axis + "llcorner") ? head[axis + "llcorner"] : 0) + size / 2;
     };
     grid.x = corner("x"), grid.y = corner("y");
-    if (!(std::abs(grid.x) <= farthest && std::abs(grid.y) <= farthest)) {
-        words.fail(fmt::format("expected a corner within {:g} m of the origin", farthest));
+    if (!(std::abs(grid.x) <= max_distance && std::abs(grid.y) <= max_distance)) {
+        words.fail(fmt::format("expected a corner within {:g} m of the origin", max_distance));
     }
     if (grid.columns > heights.left() / grid.rows) {
         heights.fail(fmt::format("{} columns and {} rows of heights do not fit into what is left of the file",
@@ -113,8 +99,8 @@ HeightGridDescription parse_grid(std::string_view text, const std::string& path)
             if (head.contains("nodata_value") && height == head["nodata_value"]) {
                 heights.fail("a height is missing (NODATA_value); expected a grid without gaps");
             }
-            if (!(std::abs(height) <= highest))
-                heights.fail(fmt::format("expected heights of {:g} m at most", highest));
+            if (!(std::abs(height) <= max_height))
+                heights.fail(fmt::format("expected heights of {:g} m at most", max_height));
             grid.heights[row * grid.columns + column] = height;
         }
     }
@@ -123,7 +109,7 @@ HeightGridDescription parse_grid(std::string_view text, const std::string& path)
 }
 
 HeightGridDescription read_grid(const std::string& path) {
-    return parse_grid(read_whole_file(path, LargestFile::road), path);
+    return parse_grid(read_whole_file(path, FileLimit::road), path);
 }
 
 }  // namespace hamilcar::io

@@ -13,7 +13,7 @@ bool is_too_deep(std::string_view json) {
         } else if (c == '"') {
             in_text = !in_text;
         } else if (!in_text && (c == '[' || c == '{')) {
-            if (++depth > deepest_json) return true;
+            if (++depth > max_json_depth) return true;
         } else if (!in_text && (c == ']' || c == '}') && depth > 0) {
             --depth;
         }

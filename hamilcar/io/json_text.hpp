@@ -9,7 +9,7 @@
 namespace hamilcar::io {
 
 // Beyond this depth a document is refused: what handles it recurses.
-inline constexpr std::size_t deepest_json = 64;
+inline constexpr std::size_t max_json_depth = 64;
 
 // Whether brackets stand deeper inside each other than that.
 bool is_too_deep(std::string_view json);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "hamilcar/io/spelling.hpp"
 
@@ -12,8 +11,8 @@ namespace {
 
 Json number_schema(const ValueRule& rule) {
     Json out{{"type", "number"}};
-    if (std::isfinite(rule.least)) out[rule.least_included ? "minimum" : "exclusiveMinimum"] = rule.least;
-    if (std::isfinite(rule.most)) out["maximum"] = rule.most;
+    if (std::isfinite(rule.min)) out[rule.min_included ? "minimum" : "exclusiveMinimum"] = rule.min;
+    if (std::isfinite(rule.max)) out["maximum"] = rule.max;
     if (rule.is_whole) out["multipleOf"] = 1;
     return out;
 }
@@ -85,71 +84,15 @@ Json at_key(const KeyRecord& key, const Json& table) {
     return key.value.shapes & Shape::tables ? Json{{"items", table}} : table;
 }
 
+Json schema_of_all(const TableRecord& all);
+
 Json key_schema(const KeyRecord& key) {
     Json out = value_schema(key.value);
     const std::string text = description(key);
     if (!text.empty()) out["description"] = text;
-    const Json otherwise = std::visit(AsJson{}, key.value.otherwise);
-    if (!otherwise.is_null()) out["default"] = otherwise;
-    if (!key.below.empty()) out.update(at_key(key, table_schema(key.below[0])));
-    return out;
-}
-
-TableRecord with_nothing_required(TableRecord table) {
-    table.choices.clear();
-    for (KeyRecord& key : table.keys) {
-        key.required = false;
-        for (TableRecord& below : key.below) below = with_nothing_required(below);
-    }
-    return table;
-}
-
-Json without_empty(const Json& properties) {
-    Json out = Json::object();
-    for (const auto& [key, schema] : properties.items()) {
-        if (!schema.empty()) out[key] = schema;
-    }
-    return out;
-}
-
-Json narrowed(const TableRecord& common, const TableRecord& variant);
-
-Json narrowed_value(const KeyRecord& common, const KeyRecord& variant) {
-    Json out = value_schema(variant.value);
-    if (out == value_schema(common.value)) out = Json::object();
-    if (variant.below.empty()) return out;
-    const Json below = narrowed(common.below[0], variant.below[0]);
-    if (!below.empty()) out.update(at_key(variant, below));
-    return out;
-}
-
-// What holds for a variant beyond what it has in common with others. Where a keyword is about all other keys, all keys
-// that the variant has are listed beside it.
-Json narrowed(const TableRecord& common, const TableRecord& variant) {
-    Json out = Json::object(), properties = Json::object(), required = Json::array(), others = Json::object();
-    for (const KeyRecord& key : variant.keys) {
-        const KeyRecord& known = *common.find(key.key);
-        const bool newly_required = key.required && !known.required;
-        if (key.key == any_name) {
-            others = narrowed_value(known, key);
-            if (newly_required) out["minProperties"] = 1;
-        } else {
-            properties[key.key] = narrowed_value(known, key);
-            if (newly_required) required.push_back(key.key);
-        }
-    }
-    const bool has_fewer_keys = variant.keys.size() < common.keys.size();
-    if (!has_fewer_keys && others.empty()) properties = without_empty(properties);
-    if (!required.empty()) out["required"] = required;
-    if (!properties.empty()) out["properties"] = properties;
-    if (has_fewer_keys && !variant.find(any_name)) out["additionalProperties"] = false;
-    if (!others.empty()) out["additionalProperties"] = others;
-    Json choices = Json::array();
-    for (const Json& choice : variant.choices) {
-        if (std::ranges::find(common.choices, choice) == common.choices.end()) choices.push_back(choice);
-    }
-    if (choices.size() == 1) out.update(choices[0]);
-    if (choices.size() > 1) out["allOf"] = choices;
+    const Json fallback = std::visit(AsJson{}, key.value.fallback);
+    if (!fallback.is_null()) out["default"] = fallback;
+    if (!key.below.empty()) out.update(at_key(key, schema_of_all(key.below[0])));
     return out;
 }
 
@@ -157,108 +100,144 @@ Json all_required(const std::vector<std::string>& keys) {
     return {{"required", keys}};
 }
 
-// True of the decision's table where one of these options is taken.
-Json condition(const Decision& decision, const std::vector<std::size_t>& options) {
-    const std::vector<std::string> key{decision.key};
-    Json out = all_required(key), values = Json::array();
-    switch (decision.about) {
-        case Decision::About::presence: return out;
-        case Decision::About::list: out["properties"][decision.key] = {{"type", "array"}}; return out;
-        case Decision::About::group:
-            out = Json::object();
-            for (const std::string& one : decision.options[options[0]]) {
-                out["anyOf"].push_back(all_required({one}));
-            }
-            return out["anyOf"].size() == 1 ? Json(out["anyOf"][0]) : out;
-        case Decision::About::flag:
-            for (const std::size_t option : options) values.push_back(option == 1);
-            break;
-        case Decision::About::word:
-            for (const std::size_t option : options) values.push_back(decision.options[option][0]);
+// True of the table where one of these branches is taken.
+Json condition(const Choice& choice, const std::vector<std::size_t>& branches) {
+    using enum Choice::About;
+    Json out = all_required({choice.key}), values = Json::array();
+    if (choice.about == list) {
+        out["properties"][choice.key] = {{"type", "array"}};
+    } else if (choice.about == group) {
+        out = Json::object();
+        for (const std::string& key : choice.options[branches[0]]) out["anyOf"].push_back(all_required({key}));
+        if (out["anyOf"].size() == 1) out = Json(out["anyOf"][0]);
+    } else {
+        for (const std::size_t i : branches)
+            values.push_back(choice.about == flag ? Json(i == 1) : Json(choice.options[i][0]));
+        if (choice.fallback && std::ranges::find(branches, *choice.fallback) != branches.end()) out = Json::object();
+        out["properties"][choice.key] = values.size() == 1 ? Json{{"const", values[0]}} : Json{{"enum", values}};
     }
-    const bool may_miss = decision.otherwise && std::ranges::find(options, *decision.otherwise) != options.end();
-    if (may_miss) out = Json::object();
-    out["properties"][decision.key] = values.size() == 1 ? Json{{"const", values[0]}} : Json{{"enum", values}};
-    return out;
+    if (choice.table.empty()) return out;
+    Json outer = out.contains("required") ? all_required({choice.table}) : Json::object();
+    outer["properties"][choice.table] = out;
+    return outer;
 }
 
-Json if_then_else(const Json& condition, const Json& yes, const Json& no) {
-    if (yes.empty() && no.empty()) return Json::object();
+void add_if_then_else(Json& to, const Json& condition, const Json& yes, const Json& no) {
+    if (yes.empty() && no.empty()) return;
     Json out{{"if", condition}};
     if (!yes.empty()) out["then"] = yes;
     if (!no.empty()) out["else"] = no;
+    to.push_back(out);
+}
+
+// What a choice asks for, the requirements of its branches given: nothing or several schemas.
+Json schemas_of_choice(const Choice& choice, const std::vector<Json>& branches) {
+    Json out = Json::array();
+    if (choice.about == Choice::About::list || choice.about == Choice::About::group) {
+        Json chain = branches[0];
+        for (std::size_t i = 1; i < branches.size(); ++i) {
+            Json next = Json::array();
+            add_if_then_else(next, condition(choice, {i}), branches[i], chain);
+            chain = next.empty() ? Json::object() : next[0];
+        }
+        if (!chain.empty()) out.push_back(chain);
+        return out;
+    }
+    for (std::size_t first = 0; first < branches.size(); ++first) {
+        std::vector<std::size_t> alike;
+        for (std::size_t i = 0; i < branches.size(); ++i) {
+            if (branches[i] == branches[first]) alike.push_back(i);
+        }
+        if (alike[0] == first) add_if_then_else(out, condition(choice, alike), branches[first], Json::object());
+    }
     return out;
 }
 
-// A condition on a table below as one on the table above; it may hold without the table where it may hold without a
-// key.
-Json seen_from_above(Json condition, const TablePath& below) {
-    for (std::size_t i = below.size(); i-- > 0;) {
-        const bool must_exist = condition.contains("required") || condition.contains("anyOf");
-        Json outer = must_exist ? all_required({below[i]}) : Json::object();
-        outer["properties"][below[i]] = condition;
-        condition = outer;
-    }
-    return condition;
+const TableRecord& below(const KeyRecord* key) {
+    static const TableRecord nothing;
+    return key && !key->below.empty() ? key->below[0] : nothing;
 }
 
-// A condition says something about one table, not about all tables of a list.
-void expect_single_tables(const TableRecord& from, const TablePath& below) {
-    const TableRecord* at = &from;
-    for (const std::string& step : below) {
-        const KeyRecord* key = at->find(step);
-        if (step == any_name || key->value.shapes & Shape::tables) {
-            throw std::logic_error("what stands in one of the tables '" + step + "' decides about keys outside of it");
+Json requirements(const TableRecord& table, const TableRecord& all, const TableRecord& beside);
+
+// The choices of a table, in which `beside` may stand as well and all in all `allowed`.
+Json schemas_of_choices(const TableRecord& table, const TableRecord& allowed, const TableRecord& beside) {
+    Json out = Json::array();
+    for (const Choice& choice : table.choices) {
+        TableRecord rest = beside;
+        TableRecord others = table;
+        std::erase(others.choices, choice);
+        join(rest, others);
+        std::vector<Json> branches;
+        for (const TableRecord& branch : choice.branches) branches.push_back(requirements(branch, allowed, rest));
+        for (const Json& schema : schemas_of_choice(choice, branches)) out.push_back(schema);
+    }
+    return out;
+}
+
+// What a table wants that may hold `all`, in a branch only what is in `table` or in `beside`. Where a keyword is about all
+// other keys, all that are allowed are listed beside it.
+Json requirements(const TableRecord& table, const TableRecord& all, const TableRecord& beside) {
+    TableRecord allowed = beside, around = beside;
+    join(allowed, table);
+    for (const Choice& choice : table.choices) {
+        for (const TableRecord& branch : choice.branches) join(around, branch);
+    }
+    Json out = Json::object(), properties = Json::object(), required = Json::array(), others = Json::object();
+    const bool has_fewer_keys = allowed.keys.size() < all.keys.size();
+    for (const KeyRecord& key : allowed.keys) {
+        const KeyRecord *own = table.find(key.key), *common = all.find(key.key);
+        Json schema = value_schema(key.value);
+        if (schema == value_schema(common->value)) schema = Json::object();
+        if (!key.below.empty()) {
+            const Json inner = requirements(below(own), below(common), below(around.find(key.key)));
+            if (!inner.empty()) schema.update(at_key(key, inner));
         }
-        at = &key->below[0];
+        const bool is_required = own && own->required();
+        if (key.key == any_name) {
+            others = schema;
+            if (is_required) out["minProperties"] = 1;
+        } else {
+            if (is_required) required.push_back(key.key);
+            if (has_fewer_keys || !schema.empty()) properties[key.key] = schema;
+        }
     }
+    if (!others.empty()) {
+        for (const KeyRecord& key : allowed.keys) {
+            if (key.key != any_name && !properties.contains(key.key)) properties[key.key] = Json::object();
+        }
+    }
+    if (!required.empty()) out["required"] = required;
+    if (!properties.empty()) out["properties"] = properties;
+    if (has_fewer_keys && !allowed.find(any_name)) out["additionalProperties"] = false;
+    if (!others.empty()) out["additionalProperties"] = others;
+    const Json choices = schemas_of_choices(table, allowed, beside);
+    if (choices.size() == 1) out.update(choices[0]);
+    if (choices.size() > 1) out["allOf"] = choices;
+    return out;
 }
 
-}  // namespace
-
-Json table_schema(const TableRecord& table) {
+// The schema of a record without choices.
+Json schema_of_all(const TableRecord& all) {
     Json out{{"type", "object"}, {"properties", Json::object()}, {"additionalProperties", false}};
-    for (const KeyRecord& key : table.keys) {
+    for (const KeyRecord& key : all.keys) {
         (key.key == any_name ? out["additionalProperties"] : out["properties"][key.key]) = key_schema(key);
     }
     return out;
 }
 
-Json requirements(const TableRecord& table) {
-    return narrowed(with_nothing_required(table), table);
+}  // namespace
+
+Json table_schema(const TableRecord& table) {
+    TableRecord all;
+    join(all, table);
+    return schema_of_all(all);
 }
 
-TableRecord joined_by_choice(const std::vector<TableRecord>& variants, const Decision& decision, std::size_t depth) {
-    TableRecord common = variants[0];
-    for (const TableRecord& variant : variants) join(common, variant);
-    const TablePath below(decision.table.begin() + static_cast<std::ptrdiff_t>(depth), decision.table.end());
-    expect_single_tables(common, below);
-    std::vector<Json> narrow;
-    for (const TableRecord& variant : variants) narrow.push_back(narrowed(common, variant));
-    const auto when = [&](const std::vector<std::size_t>& options) {
-        return seen_from_above(condition(decision, options), below);
-    };
-    std::vector<Json> choices;
-    if (decision.about == Decision::About::presence) {
-        choices.push_back(if_then_else(when({0}), narrow[0], narrow[1]));
-    } else if (decision.about == Decision::About::list || decision.about == Decision::About::group) {
-        Json chain = narrow[0];
-        for (std::size_t option = 1; option < narrow.size(); ++option) {
-            chain = if_then_else(when({option}), narrow[option], chain);
-        }
-        choices.push_back(chain);
-    } else {
-        for (std::size_t first = 0; first < narrow.size(); ++first) {
-            std::vector<std::size_t> alike;
-            for (std::size_t i = 0; i < narrow.size(); ++i) {
-                if (narrow[i] == narrow[first]) alike.push_back(i);
-            }
-            if (alike[0] == first) choices.push_back(if_then_else(when(alike), narrow[first], Json::object()));
-        }
-    }
-    std::ranges::copy_if(choices, std::back_inserter(common.choices),
-                         [](const Json& choice) { return !choice.empty(); });
-    return common;
+Json requirements(const TableRecord& table) {
+    TableRecord all;
+    join(all, table);
+    return requirements(table, all, {});
 }
 
 }  // namespace hamilcar::io

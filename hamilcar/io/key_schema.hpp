@@ -6,19 +6,18 @@
 // "matches none of 13 schemas" does not.
 #pragma once
 
-#include "hamilcar/io/key_recorder.hpp"
-#include "hamilcar/io/key_table.hpp"
+#include <nlohmann/json.hpp>
+
+#include "hamilcar/io/key_record.hpp"
 
 namespace hamilcar::io {
+
+using Json = nlohmann::ordered_json;  // keys in the order in which they are read
 
 // Everything that may stand in a table; nothing is required.
 Json table_schema(const TableRecord& table);
 
 // What a table wants beyond table_schema.
 Json requirements(const TableRecord& table);
-
-// The same table under each option of a decision as one: what all have in common, and its `choices`. The decision is
-// made in that table or in one below it; the first `depth` steps of its path lead to the table.
-TableRecord joined_by_choice(const std::vector<TableRecord>& variants, const Decision& decision, std::size_t depth);
 
 }  // namespace hamilcar::io

@@ -2,7 +2,8 @@
 #include "hamilcar/io/key_unit.hpp"
 
 #include <array>
-#include <numbers>
+
+#include "hamilcar/base/units.hpp"
 
 namespace hamilcar::io {
 
@@ -26,9 +27,9 @@ constexpr std::array unit_words{
     UnitWord{"rad", "rad"},
     UnitWord{"per", "/"},
     UnitWord{"revolution", "revolution"},
-    UnitWord{"percent", "%", 0.01},
-    UnitWord{"deg", "deg", std::numbers::pi / 180},
-    UnitWord{"rpm", "rpm", std::numbers::pi / 30},
+    UnitWord{"percent", "%", units::percent},
+    UnitWord{"deg", "deg", units::degree},
+    UnitWord{"rpm", "rpm", units::rpm},
 };
 
 const UnitWord* find_unit_word(std::string_view word) {

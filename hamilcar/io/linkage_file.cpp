@@ -1,4 +1,4 @@
-#include "hamilcar/io/linkage_file.hpp"
+#include "hamilcar/io/vehicle_tables.hpp"
 
 #include <algorithm>
 
@@ -28,7 +28,13 @@ std::size_t part_or_chassis(const TableReader& table, std::string_view key, cons
 TreeJointDescription read_joint(const TableReader& table, const LinkageDescription& before) {
     constexpr std::string_view kinds[] = {"revolute", "prismatic", "universal", "spherical", "free"};
     TreeJointDescription joint;
-    joint.kind = static_cast<TreeJoint>(table.one_of("kind", kinds));
+    table.choose("kind", kinds, {}, [&](std::size_t kind) {
+        joint.kind = static_cast<TreeJoint>(kind);
+        const bool has_axis = joint.kind != TreeJoint::spherical && joint.kind != TreeJoint::free;
+        if (has_axis) joint.axis = table.direction("axis");
+        if (joint.kind == TreeJoint::universal) joint.second_axis = table.direction("second_axis");
+    });
+    if (table.is_recording()) joint.kind = TreeJoint::revolute;  // along which a spring may act
     joint.part = table.text("part");
     const auto names = part_names(before, true);
     constexpr std::string_view taken[] = {
@@ -40,26 +46,24 @@ TreeJointDescription read_joint(const TableReader& table, const LinkageDescripti
     table.expect(std::ranges::find(names, joint.part) == names.end(), "part", "a name that no other part has");
     joint.parent = part_or_chassis(table, "parent", before);
     joint.point = table.array<3>("point_m");
-    const bool has_axis = joint.kind != TreeJoint::spherical && joint.kind != TreeJoint::free;
-    if (has_axis) joint.axis = table.direction("axis");
-    if (joint.kind == TreeJoint::universal) joint.second_axis = table.direction("second_axis");
     return joint;
 }
 
 CutJointDescription read_cut(const TableReader& table, const LinkageDescription& tree, bool on_trailer) {
     constexpr std::string_view kinds[] = {"distance", "plane", "line", "revolute_spherical", "spherical"};
     CutJointDescription cut;
-    cut.kind = static_cast<CutJoint>(table.one_of("kind", kinds));
     cut.name = table.text("name");
     cut.part = part(table, "part", tree), cut.base = part_or_chassis(table, "base", tree);
     table.expect(cut.part != cut.base, "base", "another part than '" + table.text("part") + "'");
     cut.tip = table.array<3>("tip_m"), cut.foot = table.array<3>("foot_m", cut.tip);
-    const bool has_length = cut.kind == CutJoint::distance || cut.kind == CutJoint::revolute_spherical;
-    if (has_length) {
-        table.expect(cut.tip != cut.foot, "foot_m", "a point apart from 'tip_m'");
-        if (table.has("length_m")) cut.length = table.number("length_m", positive);
-    }
-    if (cut.kind != CutJoint::distance && cut.kind != CutJoint::spherical) cut.axis = table.direction("axis");
+    table.choose("kind", kinds, {}, [&](std::size_t kind) {
+        cut.kind = static_cast<CutJoint>(kind);
+        if (cut.kind == CutJoint::distance || cut.kind == CutJoint::revolute_spherical) {
+            table.expect(cut.tip != cut.foot, "foot_m", "a point apart from 'tip_m'");
+            if (table.has("length_m")) cut.length = table.number("length_m", positive);
+        }
+        if (cut.kind != CutJoint::distance && cut.kind != CutJoint::spherical) cut.axis = table.direction("axis");
+    });
     if (table.has("drive")) {
         cut.drive = table.unit_direction("drive");
         table.expect(!on_trailer, "drive", "no such key on a trailer: the driver's rack does not reach it");
@@ -81,7 +85,7 @@ void choose_independent(const TableReader& axle, const std::vector<PartPoint>& w
 
 }  // namespace
 
-Composition read_linkage(const TableReader& axle, const WheelDescription& wheel, bool on_trailer) {
+Composition read_linkage(const TableReader& axle, const WheelDescription& wheel, bool two_wheels, bool on_trailer) {
     Composition out;
     for (const TableReader& joint : axle.tables("joint")) out.linkage.joints.push_back(read_joint(joint, out.linkage));
     if (axle.has("cut")) {
@@ -92,7 +96,7 @@ Composition read_linkage(const TableReader& axle, const WheelDescription& wheel,
     out.carriers = {carrier};
     std::vector<PartPoint> wheels{{carrier, wheel.center}};
     std::size_t right = carrier;
-    if (axle.has("right_carrier_part")) {
+    if (two_wheels) {
         right = part(axle, "right_carrier_part", out.linkage);
         out.carriers.push_back(right);
         wheels.push_back({right, mirrored(wheel.center)});

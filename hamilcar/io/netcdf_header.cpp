@@ -27,9 +27,9 @@ namespace {
 
 constexpr std::uint64_t dimension_tag = 0x0A, variable_tag = 0x0B, attribute_tag = 0x0C;
 constexpr std::array<std::uint64_t, 12> type_sizes{0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};  // [byte]
-constexpr std::uint64_t padding = 3;             // that the last value may lack [byte]
-constexpr std::uint64_t most_dimensions = 1024;  // of a variable; the library has no more
-constexpr double most_values = 1e18;             // beyond any file, within 64 bits
+constexpr std::uint64_t padding = 3;            // that the last value may lack [byte]
+constexpr std::uint64_t max_dimensions = 1024;  // of a variable; the library has no more
+constexpr double max_values = 1e18;             // beyond any file, within 64 bits
 
 class HeaderReader {
 public:
@@ -117,7 +117,7 @@ private:
             bool over_records = false;
             double values = 1;
             const std::uint64_t rank = count();
-            if (rank > most_dimensions) fail("its header is damaged");
+            if (rank > max_dimensions) fail("its header is damaged");
             for (std::uint64_t i = 0; i < rank; ++i) {
                 const std::uint64_t dimension = count();
                 if (dimension >= dimensions_.size()) fail("its header is damaged");
@@ -131,7 +131,7 @@ private:
             const std::uint64_t width = type_size();
             count();  // its own idea of its size
             const std::uint64_t begin = number(wide_offsets_ ? 8 : 4);
-            if (!(values < most_values) || (!over_records && begin > size_ + padding))
+            if (!(values < max_values) || (!over_records && begin > size_ + padding))
                 fail("its header asks for more than the file holds");
             add(static_cast<std::uint64_t>(values) * width, begin, over_records);
         }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "hamilcar/io/chart_json.hpp"
+#include "hamilcar/io/column_json.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/whole_file.hpp"
@@ -65,29 +67,10 @@ struct BlockJson {
     json operator()(const Paragraph& paragraph) const { return {{"kind", "text"}, {"text", paragraph.text}}; }
     json operator()(const Replay&) const { return {{"kind", "replay"}}; }
     json operator()(const Chart& chart) const {
-        json curves = json::array(), marks = json::array();
-        for (const Curve& curve : chart.curves) {
-            curves.push_back({{"label", curve.label},
-                              {"x", numbers.add(curve.x)},
-                              {"y", numbers.add(curve.y)},
-                              {"points", curve.points}});
-        }
-        for (const auto& [x, label] : chart.vertical_marks) marks.push_back({{"x", x}, {"label", label}});
-        json block{{"kind", "chart"},
-                   {"title", chart.title},
-                   {"x", {{"label", chart.x_label}, {"logarithmic", chart.log_x}}},
-                   {"y", {{"label", chart.y_label}, {"logarithmic", chart.log_y}}},
-                   {"curves", curves},
-                   {"marks", marks}};
-        add_surroundings(block, chart);
-        return block;
+        return chart_json<json>(chart, [this](const std::vector<double>& values) { return numbers.add(values); });
     }
     json operator()(const Verdicts& verdicts) const {
-        json list = json::array();
-        for (const Verdict& one : verdicts.list) {
-            list.push_back({{"criterion", one.criterion}, {"passed", one.passed}, {"found", one.found}});
-        }
-        return {{"kind", "verdicts"}, {"list", list}};
+        return {{"kind", "verdicts"}, {"list", verdicts_json<json>(verdicts.list)}};
     }
     json operator()(const Table& table) const {
         json columns = json::array(), rows = json::array();
@@ -99,30 +82,15 @@ struct BlockJson {
         }
         return {{"kind", "table"}, {"title", table.title}, {"columns", columns}, {"rows", rows}};
     }
-
-private:
-    // Only what is there: most charts stand in no landscape.
-    void add_surroundings(json& block, const Chart& chart) const {
-        if (chart.equal_axes) block["equal_axes"] = true;
-        for (const auto& [y, label] : chart.horizontal_marks) {
-            block["horizontal_marks"].push_back({{"y", y}, {"label", label}});
-        }
-        for (const Marks& cones : chart.marks) {
-            block["cones"].push_back(
-                {{"label", cones.label}, {"x", numbers.add(cones.x)}, {"y", numbers.add(cones.y)}});
-        }
-        for (const Line& line : chart.lines) block["lines"].push_back({line.x0, line.y0, line.x1, line.y1});
-    }
 };
 
 json run_json(const PageRun& run, ColumnBlock& numbers) {
     json channels = json::array(), tiles = json::array();
     for (std::size_t i = 0; i < run.columns.size(); ++i) {
-        const bool single = i < run.motion.size() && run.motion[i];
-        channels.push_back({{"name", run.columns[i].name},
-                            {"unit", run.columns[i].unit},
-                            {"description", run.columns[i].description},
-                            {"column", single ? numbers.add_single(run.values[i]) : numbers.add(run.values[i])}});
+        const bool single = is_motion(run.columns[i].role);
+        json channel = column_json(run.columns[i]);
+        channel["column"] = single ? numbers.add_single(run.values[i]) : numbers.add(run.values[i]);
+        channels.push_back(std::move(channel));
     }
     for (const RoadTile& tile : run.tiles) {
         tiles.push_back({{"ix", tile.ix}, {"iy", tile.iy}, {"column", numbers.add(tile.heights)}});

@@ -1,5 +1,5 @@
-// Pages for people: one self-contained HTML file with charts, tables and the film of runs. The page itself, what draws them, is
-// built from web/ and part of the program; what is written here is the document that it shows (web/src/document.ts).
+// Pages for people: one self-contained HTML file with charts, tables and the replay of runs. The page itself, what draws them, is
+// built from web/ and part of the program; what is written here is the document that it shows (schemas/page.schema.json).
 #pragma once
 
 #include <string>
@@ -23,11 +23,13 @@ struct Curve {
 struct Marks {
     std::string label;  // "" where the legend is not to name them
     std::vector<double> x, y;
+    bool operator==(const Marks&) const = default;
 };
 
 // A barrier that is not to be crossed, straight.
 struct Line {
     double x0, y0, x1, y1;
+    bool operator==(const Line&) const = default;
 };
 
 struct Chart {
@@ -56,7 +58,7 @@ struct Heading {
 struct Paragraph {
     std::string text;
 };
-struct Replay {};  // the film of the page's runs with their plots
+struct Replay {};  // the replay of the page's runs with their plots
 
 struct Verdict {
     std::string criterion;  // "no cone is hit"
@@ -75,8 +77,7 @@ struct PageRun {
     std::string file;  // that it was read from, or empty
     std::vector<Column> columns;
     std::vector<std::vector<double>> values;
-    std::vector<bool> motion;  // of each column: whether it only moves the picture, where single precision will do
-    std::string scene;         // JSON (run/scene.hpp); empty: nothing to draw but plots
+    std::string scene;  // JSON (run/scene.hpp); empty: nothing to draw but plots
     std::vector<RoadTile> tiles;
 };
 

@@ -1,24 +1,21 @@
 // One function per table of a power unit, in the order of docs/files/vehicle.md.
-#include "hamilcar/io/powertrain_file.hpp"
+#include "hamilcar/io/vehicle_tables.hpp"
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 #include <utility>
 
+#include "hamilcar/base/text.hpp"
+#include "hamilcar/base/units.hpp"
 #include "hamilcar/driveline/source.hpp"
-#include "hamilcar/io/body_file.hpp"
-#include "hamilcar/io/differential_file.hpp"
-#include "hamilcar/io/name.hpp"
-#include "hamilcar/io/number_text.hpp"
+#include "hamilcar/io/choices.hpp"
 #include "hamilcar/io/spelling.hpp"
-#include "hamilcar/io/word.hpp"
 
 namespace hamilcar::io {
 
 namespace {
 
-constexpr double rpm = std::numbers::pi / 30;  // [rad/s]
+using units::rpm;
 
 void expect_points(const TableReader& table, std::string_view key, std::size_t count) {
     table.expect(count >= 2 && count <= std::size_t{max_curve_points}, key,
@@ -45,9 +42,9 @@ void read_part_loads(const TableReader& engine, EngineDescription& to) {
 }
 
 // Between two points ratio and torque ratio are linear, their product, turbine power over pump power, a parabola.
-double greatest_efficiency(const Samples& torque_ratio) {
-    double greatest = 0;
-    const auto look = [&](double nu, double ratio) { greatest = std::max(greatest, nu * ratio); };
+double max_efficiency(const Samples& torque_ratio) {
+    double max_found = 0;
+    const auto look = [&](double nu, double ratio) { max_found = std::max(max_found, nu * ratio); };
     for (std::size_t i = 0; i < torque_ratio.argument.size(); ++i) {
         const double x = torque_ratio.argument[i], y = torque_ratio.value[i];
         look(x, y);
@@ -56,7 +53,7 @@ double greatest_efficiency(const Samples& torque_ratio) {
         const double top = slope < 0 ? 0.5 * (x - y / slope) : next;
         if (top > x && top < next) look(top, y + slope * (top - x));
     }
-    return greatest;
+    return max_found;
 }
 
 // The starter brings it to where it fires, against its drag.
@@ -65,12 +62,12 @@ void check_starting(const TableReader& table, const EngineDescription& engine) {
     const Curve<double> drag(engine.torque.front().speed, engine.torque.front().torque);
     const double starter = Engine::starter_share * engine.torque.back().torque.front();
     const double fires = Engine::full_combustion * engine.idle_speed;
-    double most = -drag.at(fires);
+    double max = -drag.at(fires);
     for (std::size_t i = 0; i < engine.torque.front().speed.size(); ++i) {
-        if (engine.torque.front().speed[i] < fires) most = std::max(most, -engine.torque.front().torque[i]);
+        if (engine.torque.front().speed[i] < fires) max = std::max(max, -engine.torque.front().torque[i]);
     }
     table.expect(
-        most < starter, "overrun_N_m",
+        max < starter, "overrun_N_m",
         "numbers above " + number_text(-starter) +
             " up to half of 'idle_rpm', where it fires: the starter has 0.3 times the first of 'full_load_N_m'");
 }
@@ -116,7 +113,7 @@ ConverterDescription read_converter(const TableReader& table) {
                                    .lockup_capacity = table.number("lockup_capacity_N_m", not_negative, 0)};
     table.expect(converter.capacity.size() == curve.argument.size(), pump_key,
                  std::to_string(curve.argument.size()) + " numbers, one for each of 'speed_ratio'");
-    table.expect(greatest_efficiency(curve) <= 1 + 1e-9, "torque_ratio",
+    table.expect(max_efficiency(curve) <= 1 + 1e-9, "torque_ratio",
                  "numbers that times their speed ratio, there and between, are 1 at most: no converter makes power");
     table.expect(curve.argument.back() == 1, "speed_ratio", "a last number of 1, where pump and turbine turn alike");
     table.expect(converter.capacity.empty() || converter.capacity.back() == 0, pump_key,
@@ -126,10 +123,15 @@ ConverterDescription read_converter(const TableReader& table) {
 }
 
 std::variant<ClutchDescription, ConverterDescription> read_coupling(const TableReader& unit) {
-    if (unit.chosen({{"clutch"}, {"converter"}}) == 1) return read_converter(unit.table("converter"));
-    const auto clutch = unit.optional_table("clutch");
-    if (!clutch) return ClutchDescription{};
-    return ClutchDescription{clutch->number("capacity_N_m", not_negative)};
+    std::variant<ClutchDescription, ConverterDescription> out;
+    unit.choose({{"clutch"}, {"converter"}}, [&](std::size_t group) {
+        if (group == 1) {
+            out = read_converter(unit.table("converter"));
+        } else if (const auto clutch = unit.optional_table("clutch")) {
+            out = ClutchDescription{clutch->number("capacity_N_m", not_negative)};
+        }
+    });
+    return out;
 }
 
 // A gear that was shifted to must not be left at once.
@@ -152,8 +154,8 @@ GearboxDescription read_gearbox(const std::optional<TableReader>& table) {
     constexpr Range efficiency{"number above 0, 1 at most", 0, 1, false};
     GearboxDescription gearbox;
     if (!table) return gearbox;
-    const auto or_else = [&](std::string_view key, double otherwise) {
-        return table->has(key) ? table->number(key, not_negative) : otherwise;
+    const auto or_else = [&](std::string_view key, double fallback) {
+        return table->has(key) ? table->number(key, not_negative) : fallback;
     };
     gearbox.ratios = table->numbers("ratios", positive);
     table->expect(gearbox.ratios.size() <= std::size_t{max_gears}, "ratios",
@@ -162,7 +164,7 @@ GearboxDescription read_gearbox(const std::optional<TableReader>& table) {
                   "ratios", "numbers that decrease, from first gear on");
     gearbox.reverse_ratio = table->number("reverse_ratio", not_negative, 0);
     gearbox.efficiency = table->number("efficiency", efficiency, 1);
-    gearbox.automatic = word<bool>(*table, "shift", {"manual", false}, {"automatic", true});
+    gearbox.automatic = word<bool>(*table, "shift", {{"manual", false}, {"automatic", true}});
     gearbox.shift_time = table->number("shift_time_s", not_negative, gearbox.shift_time);
     gearbox.upshift_speed = table->number("upshift_rpm", not_negative, 0);
     gearbox.upshift_speed_closed = or_else("upshift_closed_rpm", gearbox.upshift_speed);
@@ -174,7 +176,7 @@ GearboxDescription read_gearbox(const std::optional<TableReader>& table) {
 
 // What shifts up at a speed has to come there.
 void check_limit(const TableReader& table, const PowerUnitDescription& unit) {
-    const double fastest = std::visit(
+    const double max_speed = std::visit(
         [](const auto& source) {
             if constexpr (requires { source.torque; }) {
                 return source.torque.back().speed.back();
@@ -185,8 +187,8 @@ void check_limit(const TableReader& table, const PowerUnitDescription& unit) {
         unit.source);
     const auto gearbox = table.optional_table("gearbox");
     if (!gearbox || table.is_recording()) return;
-    gearbox->expect(unit.gearbox.upshift_speed < fastest, "upshift_rpm",
-                    "a number below the speed at which the torque ends, " + number_text(fastest / rpm));
+    gearbox->expect(unit.gearbox.upshift_speed < max_speed, "upshift_rpm",
+                    "a number below the speed at which the torque ends, " + number_text(max_speed / rpm));
 }
 
 // Of the differentials, the one that the unit drives.
@@ -207,18 +209,20 @@ PowerUnitDescription read_power_unit(const TableReader& table, const VehicleDesc
     unit.name = table.text("name");
     unit.inertia = table.number("inertia_kg_m2", positive);
     unit.axis = table.direction("axis", unit.axis);
-    constexpr double soonest = 0.005;  // that explicit steps can follow [s]
+    constexpr double min_response_time = 0.005;  // that explicit steps can follow [s]
     unit.response_time = table.number("response_time_s", not_negative, 0);
-    table.expect(unit.response_time == 0 || unit.response_time >= soonest, "response_time_s",
+    table.expect(unit.response_time == 0 || unit.response_time >= min_response_time, "response_time_s",
                  "0, at once, or a number not below 0.005");
     unit.stiffness = table.number("stiffness_N_m_per_rad", positive);
     unit.damping_ratio = table.number("damping_ratio", not_negative, 0.1);
     unit.output = read_output(table, vehicle);
-    if (table.chosen({{"engine"}, {"motor"}}) == 0) {
-        unit.source = read_engine(table.table("engine"));
-    } else {
-        unit.source = read_motor(table.table("motor"));
-    }
+    table.choose({{"engine"}, {"motor"}}, [&](std::size_t group) {
+        if (group == 0) {
+            unit.source = read_engine(table.table("engine"));
+        } else {
+            unit.source = read_motor(table.table("motor"));
+        }
+    });
     unit.coupling = read_coupling(table);
     unit.gearbox = read_gearbox(table.optional_table("gearbox"));
     check_limit(table, unit);
@@ -251,12 +255,8 @@ void check_inputs(const std::vector<TableReader>& tables, const VehicleDescripti
     }
 }
 
-}  // namespace
-
-void read_powertrain(const TableReader& file, VehicleDescription& vehicle) {
-    const bool wanted = file.boolean("powertrain", true);
+void read_differentials_and_power_units(const TableReader& file, VehicleDescription& vehicle) {
     const bool has_differentials = file.has("differential"), has_units = file.has("power_unit");
-    if (!wanted) return;
     std::vector<TableReader> differentials;
     if (has_differentials) differentials = read_differentials(file, vehicle);
     if (has_units) {
@@ -278,6 +278,15 @@ void read_powertrain(const TableReader& file, VehicleDescription& vehicle) {
         .expect(has_room_for(vehicle.chassis, rotors), "inertia_kg_m2",
                 "a rotor that leaves the chassis, whose inertia contains it, an inertia "
                 "that a body can have");
+}
+
+}  // namespace
+
+void read_powertrain(const TableReader& file, VehicleDescription& vehicle) {
+    for (const std::string_view key : {"differential", "power_unit"}) static_cast<void>(file.has(key));
+    file.choose_flag("powertrain", true, file, [&](bool wanted) {
+        if (wanted) read_differentials_and_power_units(file, vehicle);
+    });
 }
 
 }  // namespace hamilcar::io

@@ -1,8 +1,9 @@
 // A property file (TeimOrbit, the layout of Adams and MF-Tyre files such as `.tir`): `[SECTIONS]` of `KEY = value`
 // pairs and of tables, each entry with the line it was written at.
 //
-// A `(SUB-BLOCK)` is a section of its own, named "BLOCK/SUB-BLOCK". A section opened again goes on where it stopped; a
-// key given twice or a second table in one section is a mistake, so the order of lines never decides a value.
+// A `(SUB-BLOCK)` is a section of its own, named "BLOCK/SUB-BLOCK". A section opened again goes on where it stopped. What
+// such a file may not have but other programs pass over (a line that is neither, a second table) is left out with a note; of a key
+// given twice all entries are kept, and the first is found.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,7 @@ namespace hamilcar::io {
 struct PropertyEntry {
     std::string key;               // upper case; empty for a line that is only a quoted text, as in "(COMMENTS)"
     std::string text;              // without quotes and outer blanks, in the bytes of the file; empty for "KEY ="
-    std::optional<double> number;  // if the whole unquoted text is one finite number
+    std::optional<double> number;  // if the whole text is one finite number
     bool quoted = false;
     std::size_t line = 0;
 };
@@ -30,8 +31,14 @@ struct PropertySection {
     std::size_t table_line = 0;  // 0: no table
 };
 
+struct PropertyNote {
+    std::size_t line;
+    std::string text;
+};
+
 struct PropertyFile {
     std::string path;
+    std::vector<PropertyNote> notes;        // of what was left out, or read otherwise than it is written
     std::vector<PropertySection> sections;  // in the order of the file
 
     // Names and keys in upper case. Null if absent.
@@ -44,9 +51,6 @@ PropertyFile read_property_file(const std::string& path);
 
 // Throws Error(bad_file, "path:line: ..."). Time and memory grow no faster than the text, up to 4 MB of it.
 PropertyFile parse_property_file(std::string_view text, const std::string& path);
-
-// 'text' for a message: short, and with nothing in it that a terminal could trip over.
-std::string shown_in_message(std::string_view text);
 
 // Throws Error(bad_file, "path:line: message").
 [[noreturn]] void fail_in_property_file(const std::string& path, std::size_t line, const std::string& message);

@@ -1,7 +1,6 @@
 #include "hamilcar/io/result_file.hpp"
 
 #include <fmt/format.h>
-#include <netcdf.h>
 
 #include <algorithm>
 #include <array>
@@ -11,63 +10,20 @@
 
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/json_text.hpp"
-#include "hamilcar/io/netcdf_header.hpp"
-#include "hamilcar/io/whole_file.hpp"
+#include "hamilcar/io/netcdf_file.hpp"
 
 namespace hamilcar::io {
 
 namespace {
 
-constexpr std::size_t file_buffer = 1 << 20;  // of the library [byte]
 constexpr std::size_t heights_of_tile = std::size_t{tile_nodes} * std::size_t{tile_nodes};
-
-// An open netCDF file that closes itself.
-class NetcdfFile {
-public:
-    enum class Mode { read, create };
-
-    NetcdfFile(const std::string& path, Mode mode) : path_(path) {
-        if (mode == Mode::create) {
-            expect_writable_place(path);
-            check(nc_create(path.c_str(), NC_CLOBBER | NC_64BIT_OFFSET, &id_), "open for writing");
-            return;
-        }
-        check_netcdf_header(path);
-        std::size_t buffer = file_buffer;
-        check(nc__open(path.c_str(), NC_NOWRITE, &buffer, &id_), "read");
-    }
-    NetcdfFile(const NetcdfFile&) = delete;
-    NetcdfFile& operator=(const NetcdfFile&) = delete;
-    ~NetcdfFile() {
-        if (id_ >= 0) nc_close(id_);
-    }
-
-    int id() const { return id_; }
-    void check(int status, const std::string& action) const {
-        if (status == NC_NOERR) return;
-        throw Error(ExitCode::input_output, path_ + ": cannot " + action + ": " + nc_strerror(status));
-    }
-    // Empty where there is none.
-    std::string text(int variable, const char* attribute) const {
-        std::size_t length = 0;
-        nc_type type = NC_NAT;
-        if (nc_inq_att(id_, variable, attribute, &type, &length) != NC_NOERR || type != NC_CHAR) return {};
-        std::string value(length, '\0');
-        check(nc_get_att_text(id_, variable, attribute, value.data()), std::string("read the attribute ") + attribute);
-        return value;
-    }
-
-private:
-    std::string path_;
-    int id_ = -1;
-};
 
 // Whether a picture can be drawn of it, and whether its road needs tiles.
 bool check_scene(const std::string& path, const std::string& text) {
     const nlohmann::json scene = parse_json(text);
     if (scene.is_discarded()) {
         throw Error(ExitCode::bad_file,
-                    fmt::format("{}: attribute 'scene': expected JSON, nested {} deep at most", path, deepest_json));
+                    fmt::format("{}: attribute 'scene': expected JSON, nested {} deep at most", path, max_json_depth));
     }
     for (const char* part : {"frames", "links", "wheels", "tires", "bodies"}) {
         if (scene.is_object() && scene.contains(part) && scene[part].is_array()) continue;
@@ -166,7 +122,9 @@ ResultFile read_result(const std::string& path) {
     for (const int variable : columns) {
         std::array<char, NC_MAX_NAME + 1> name{};
         file.check(nc_inq_varname(file.id(), variable, name.data()), "read a name");
-        result.columns.push_back({name.data(), file.text(variable, "units"), file.text(variable, "long_name")});
+        result.columns.push_back({name.data(), file.text(variable, "units"), file.text(variable, "long_name"),
+                                  role_named(file.text(variable, role_attribute)),
+                                  file.text(variable, role_of_attribute)});
     }
     result.values = read_rows(file, columns, rows);
     const std::string tiles = tiles_beside(path);
@@ -182,19 +140,13 @@ std::string tiles_beside(const std::string& result_path) {
 
 void write_tiles(const std::string& path, const std::vector<RoadTile>& tiles) {
     const NetcdfFile file(path, NetcdfFile::Mode::create);
-    std::array<int, 3> dimensions{};
-    int two = 0, index = 0, height = 0;
-    file.check(nc_def_dim(file.id(), "tile", tiles.size(), dimensions.data()), "define a dimension");
-    file.check(nc_def_dim(file.id(), "y", tile_nodes, &dimensions[1]), "define a dimension");
-    file.check(nc_def_dim(file.id(), "x", tile_nodes, &dimensions[2]), "define a dimension");
-    file.check(nc_def_dim(file.id(), "ix_iy", 2, &two), "define a dimension");
-    const std::array<int, 2> of_index{dimensions[0], two};
-    file.check(nc_def_var(file.id(), "index", NC_INT, 2, of_index.data(), &index), "define index");
-    file.check(nc_def_var(file.id(), "height", NC_FLOAT, 3, dimensions.data(), &height), "define height");
-    const std::string meter = "m",
-                      what = "road above z = 0; tile (ix, iy) begins at x = 16 ix, y = 16 iy, nodes every 0.25 m";
-    file.check(nc_put_att_text(file.id(), height, "units", meter.size(), meter.data()), "set an attribute");
-    file.check(nc_put_att_text(file.id(), height, "long_name", what.size(), what.data()), "set an attribute");
+    const int tile = file.define_dimension("tile", tiles.size()), y = file.define_dimension("y", tile_nodes),
+              x = file.define_dimension("x", tile_nodes), two = file.define_dimension("ix_iy", 2);
+    const int index = file.define_variable("index", NC_INT, {tile, two});
+    const int height = file.define_variable("height", NC_FLOAT, {tile, y, x});
+    file.set_text(height, "units", "m");
+    file.set_text(height, "long_name",
+                  "road above z = 0; tile (ix, iy) begins at x = 16 ix, y = 16 iy, nodes every 0.25 m");
     file.check(nc_enddef(file.id()), "write the header");
     for (std::size_t i = 0; i < tiles.size(); ++i) {
         const std::array<int, 2> at{tiles[i].ix, tiles[i].iy};

@@ -7,13 +7,21 @@
 #include <utility>
 #include <vector>
 
+#include "hamilcar/io/channel_role.hpp"
+
 namespace hamilcar::io {
 
 struct Column {
     std::string name;         // "chassis.position.y"
     std::string unit;         // "m"; "1" where dimensionless
     std::string description;  // one phrase, netCDF long_name
+    ChannelRole role = ChannelRole::none;
+    std::string of = {};  // whose role it is: "front_left.tire"; "" of the motor vehicle and its driver
 };
+
+// Attributes of a variable that hold a column's role and whose it is.
+inline constexpr const char* role_attribute = "hamilcar_role";
+inline constexpr const char* role_of_attribute = "hamilcar_role_of";
 
 // A file that receives rows. A row is on its way to the disk when `write` returns and on it after `flush`;
 // the file is readable by others after every flush. Throws Error(input_output) naming the path and the cause.

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hamilcar/base/text.hpp"
 #include "hamilcar/integrator/stabilization.hpp"
+#include "hamilcar/io/choices.hpp"
 #include "hamilcar/io/driver_file.hpp"
-#include "hamilcar/io/number_text.hpp"
 #include "hamilcar/io/road_file.hpp"
 #include "hamilcar/io/table_reader.hpp"
-#include "hamilcar/io/word.hpp"
 
 namespace hamilcar::io {
 
@@ -19,22 +19,24 @@ SolverDescription read_solver(const TableReader& table) {
     std::array<std::string_view, methods.size()> names;
     std::ranges::transform(methods, names.begin(), &Method::name);
     SolverDescription solver;
-    const auto usual = static_cast<std::size_t>(std::ranges::find(names, solver.integrator) - names.begin());
+    const auto default_method = static_cast<std::size_t>(std::ranges::find(names, solver.integrator) - names.begin());
     solver.step = table.number("step_s", time_step, solver.step);
-    solver.integrator = names[table.one_of("integrator", names, usual)];
+    solver.integrator = names[table.one_of("integrator", names, default_method)];
     solver.tolerance = table.number("tolerance", positive, solver.tolerance);
-    solver.constraints = word<ConstraintMode>(table, "constraints", {"exact", ConstraintMode::exact},
-                                              {"stabilized", ConstraintMode::stabilized});
-    solver.chart =
-        word<ChassisChart>(table, "chart", {"quaternion", ChassisChart::quaternion}, {"bryant", ChassisChart::bryant});
+    solver.constraints = word<ConstraintMode>(
+        table, "constraints", {{"exact", ConstraintMode::exact}, {"stabilized", ConstraintMode::stabilized}});
+    solver.chart = word<ChassisChart>(table, "chart",
+                                      {{"quaternion", ChassisChart::quaternion}, {"bryant", ChassisChart::bryant}});
     solver.energy_balance = table.boolean("energy_balance", solver.energy_balance);
-    if (table.chosen({{"stabilization"}, {"stabilization_gain_per_s"}}) == 0) {
-        solver.stabilization = word<StabilizationRule>(table, "stabilization", {"paper", StabilizationRule::paper},
-                                                       {"limit", StabilizationRule::limit});
-    } else {
-        solver.stabilization = StabilizationRule::value;
-        solver.stabilization_gain = table.number("stabilization_gain_per_s", not_negative);
-    }
+    table.choose({{"stabilization"}, {"stabilization_gain_per_s"}}, [&](std::size_t group) {
+        if (group == 0) {
+            solver.stabilization = word<StabilizationRule>(
+                table, "stabilization", {{"paper", StabilizationRule::paper}, {"limit", StabilizationRule::limit}});
+        } else {
+            solver.stabilization = StabilizationRule::value;
+            solver.stabilization_gain = table.number("stabilization_gain_per_s", not_negative);
+        }
+    });
     const GainChoice choice = stabilization_gain(solver);
     const bool by_rule = solver.stabilization != StabilizationRule::value;
     const std::string_view key = !by_rule                     ? "stabilization_gain_per_s"
@@ -45,20 +47,24 @@ SolverDescription read_solver(const TableReader& table) {
 }
 
 template <std::size_t N>
-bool is_within(const std::array<double, N>& numbers, double most) {
-    return std::ranges::all_of(numbers, [most](double number) { return std::abs(number) <= most; });
+bool is_within(const std::array<double, N>& numbers, double max) {
+    return std::ranges::all_of(numbers, [max](double number) { return std::abs(number) <= max; });
 }
 
 // A single number is a speed straight ahead.
 std::array<double, 3> read_velocity(const TableReader& table) {
     constexpr std::string_view key = "velocity_m_per_s";
-    return table.has_list(key) ? table.array<3>(key) : std::array<double, 3>{table.number(key, any_number, 0), 0, 0};
+    std::array<double, 3> velocity{};
+    table.choose_list(key, [&](bool is_list) {
+        velocity = is_list ? table.array<3>(key) : std::array<double, 3>{table.number(key, any_number, 0), 0, 0};
+    });
+    return velocity;
 }
 
 InitialDescription read_initial(const TableReader& table) {
     constexpr Range height{"number from -1e5 to 1e5", -1e5, 1e5}, angle{"number from -36000 to 36000", -36000, 36000};
-    constexpr double fastest = 1000;  // [m/s], [rad/s]
-    constexpr double farthest = 1e7;  // from the origin: nobody drives so far, and arithmetic does not suffer yet [m]
+    constexpr double max_speed = 1000;    // [m/s], [rad/s]
+    constexpr double max_distance = 1e7;  // from the origin: no run goes so far, and arithmetic does not suffer yet [m]
     const InitialDescription initial{.settle = table.boolean("settle", true),
                                      .position = table.array<2>("position_m", {0, 0}),
                                      .height = table.number("height_m", height, 0),
@@ -67,9 +73,9 @@ InitialDescription read_initial(const TableReader& table) {
                                      .pitch = table.number("pitch_deg", angle, 0),
                                      .velocity = read_velocity(table),
                                      .angular_velocity = table.array<3>("angular_velocity_deg_per_s", {0, 0, 0})};
-    table.expect(is_within(initial.position, farthest), "position_m", "a place within 1e7 m of the origin");
-    table.expect(is_within(initial.velocity, fastest), "velocity_m_per_s", "a speed of 1000 m/s at most");
-    table.expect(is_within(initial.angular_velocity, fastest), "angular_velocity_deg_per_s", "57295 deg/s at most");
+    table.expect(is_within(initial.position, max_distance), "position_m", "a place within 1e7 m of the origin");
+    table.expect(is_within(initial.velocity, max_speed), "velocity_m_per_s", "a speed of 1000 m/s at most");
+    table.expect(is_within(initial.angular_velocity, max_speed), "angular_velocity_deg_per_s", "57295 deg/s at most");
     for (const std::string_view key : {"height_m", "roll_deg", "pitch_deg"}) {
         table.expect(!initial.settle || !table.has(key), key, "'settle = false' beside it; settling finds this itself");
     }
@@ -89,14 +95,15 @@ void read_inputs(const TableReader& inputs, ScenarioDescription& scenario) {
     scenario.clutch = read_optional_signal(inputs, "clutch", "pedal", fraction);
     scenario.gear = read_optional_signal(inputs, "gear", "number", any_number);
     scenario.gear.interpolation = Interpolation::steps;
-    const bool at_wheel = inputs.chosen({{"steering_wheel"}, {"rack"}}) == 0;
-    if (at_wheel && inputs.has("steering_wheel")) {
-        scenario.steering_input = SteeringInput::steering_wheel;
-        scenario.steering = read_signal(inputs.table("steering_wheel"), "angle_deg", any_number);
-    } else if (!at_wheel) {
-        scenario.steering_input = SteeringInput::rack;
-        scenario.steering = read_signal(inputs.table("rack"), "displacement_m", any_number);
-    }
+    inputs.choose({{"steering_wheel"}, {"rack"}}, [&](std::size_t group) {
+        if (group == 1) {
+            scenario.steering_input = SteeringInput::rack;
+            scenario.steering = read_signal(inputs.table("rack"), "displacement_m", any_number);
+        } else if (const auto wheel = inputs.optional_table("steering_wheel")) {
+            scenario.steering_input = SteeringInput::steering_wheel;
+            scenario.steering = read_signal(*wheel, "angle_deg", any_number);
+        }
+    });
 }
 
 // Velocity of the air over the ground.
@@ -111,7 +118,7 @@ void read_wind(const TableReader& table, ScenarioDescription& scenario) {
 ManeuverDescription read_maneuver(const TableReader& table) {
     ManeuverDescription maneuver{.name = table.text("name"), .settings = {}};
     if (const auto settings = table.optional_table("settings")) {
-        for (const auto& [key, value] : settings->named_numbers()) maneuver.settings[key] = value;
+        maneuver.settings = settings->named_values();
     }
     return maneuver;
 }
@@ -126,7 +133,7 @@ OutputDescription read_output(const TableReader& table) {
             .report = table.boolean("report", true)};
 }
 
-constexpr double most_steps = 1e9;  // that can be counted, and waited for
+constexpr double max_steps = 1e9;  // that can be counted, and waited for
 
 // A key of two names at most, and the table that it stands in; null where one of them is not there.
 struct Entry {
@@ -175,37 +182,29 @@ std::vector<std::array<double, 2>> read_cones(const TableReader& course) {
 
 }  // namespace
 
-std::string place_of(const std::string& path, std::string_view key) {
-    Node document = read_toml(path);
-    Node* at = &document;
-    while (!key.empty()) {
-        const std::size_t dot = std::min(key.find('.'), key.size());
-        Node* next = at->find(key.substr(0, dot));
-        if (!next) break;
-        at = next;
-        key.remove_prefix(std::min(dot + 1, key.size()));
-    }
-    if (at == &document) return path;
-    return at->file->path + ":" + std::to_string(at->begin.line) + ":" + std::to_string(at->begin.column);
-}
-
-bool is_scenario(const std::string& path) {
-    Node document = read_toml(path);
-    return TableReader(document, "").has("vehicle");
+bool is_scenario(const Node& document) {
+    return document.find("vehicle") != nullptr;
 }
 
 ScenarioDescription read_scenario(const std::string& path) {
     Node document = read_toml(path);
+    return read_scenario(document);
+}
+
+ScenarioDescription read_scenario(Node& document) {
     choose_masters(document);
-    return read_scenario(TableReader(document, ""));
+    ScenarioDescription scenario = read_scenario(TableReader(document, ""));
+    scenario.places = places_of(document);
+    return scenario;
 }
 
 ScenarioDescription read_scenario(const TableReader& file) {
     ScenarioDescription scenario;
     scenario.name = file.text("name");
     scenario.vehicle = file.path_to_file("vehicle");
-    scenario.duration =
-        file.has("maneuver") ? file.number("duration_s", positive, 1) : file.number("duration_s", positive);
+    file.choose_presence("maneuver", [&](bool present) {
+        scenario.duration = present ? file.number("duration_s", positive, 1) : file.number("duration_s", positive);
+    });
     if (const auto table = file.optional_table("solver")) scenario.solver = read_solver(*table);
     if (const auto table = file.optional_table("initial")) scenario.initial = read_initial(*table);
     if (const auto table = file.optional_table("road")) scenario.road = read_road(*table);
@@ -218,7 +217,7 @@ ScenarioDescription read_scenario(const TableReader& file) {
     file.expect(scenario.solver.step <= scenario.duration, "duration_s",
                 "at least one step of " + number_text(scenario.solver.step));
     if (!file.is_recording() && file.has("duration_s")) {  // a maneuver's own is known to be right
-        file.expect(scenario.duration < most_steps * scenario.solver.step, "duration_s",
+        file.expect(scenario.duration < max_steps * scenario.solver.step, "duration_s",
                     "fewer than 1e9 steps of " + number_text(scenario.solver.step));
     }
     file.finish();

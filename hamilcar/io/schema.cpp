@@ -3,7 +3,6 @@
 #include <map>
 
 #include "hamilcar/io/key_schema.hpp"
-#include "hamilcar/io/key_survey.hpp"
 #include "hamilcar/io/scenario_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 
@@ -78,11 +77,11 @@ std::string schema_of(const TableRecord& file, const std::string& title) {
 }  // namespace
 
 std::string vehicle_schema() {
-    return schema_of(survey_keys([](const TableReader& file) { read_vehicle(file); }), "Hamilcar vehicle");
+    return schema_of(record_keys([](const TableReader& file) { read_vehicle(file); }), "Hamilcar vehicle");
 }
 
 std::string scenario_schema() {
-    return schema_of(survey_keys([](const TableReader& file) { read_scenario(file); }), "Hamilcar scenario");
+    return schema_of(record_keys([](const TableReader& file) { read_scenario(file); }), "Hamilcar scenario");
 }
 
 }  // namespace hamilcar::io

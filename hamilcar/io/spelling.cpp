@@ -2,11 +2,11 @@
 #include "hamilcar/io/spelling.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <numeric>
 #include <utility>
 #include <vector>
 
+#include "hamilcar/base/text.hpp"
 #include "hamilcar/io/key_unit.hpp"
 
 namespace hamilcar::io {
@@ -14,15 +14,12 @@ namespace hamilcar::io {
 namespace {
 
 std::size_t edits_between(std::string_view a, std::string_view b) {
-    const auto same = [](char x, char y) {
-        return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
-    };
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
     for (std::size_t i = 0; i < a.size(); ++i) {
         std::size_t diagonal = std::exchange(row[0], i + 1);
         for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (same(a[i], b[j]) ? 0 : 1);
+            const std::size_t replaced = diagonal + (same_word(a.substr(i, 1), b.substr(j, 1)) ? 0 : 1);
             diagonal = row[j + 1];
             row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
         }
@@ -34,12 +31,12 @@ std::size_t edits_between(std::string_view a, std::string_view b) {
 
 std::optional<std::string_view> nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
     const std::string_view stem = unit_of_key(word).stem;
-    std::size_t least = stem.size() <= 4 ? 2 : 3;  // accepted below this
+    std::size_t min = stem.size() <= 4 ? 2 : 3;  // accepted below this
     std::optional<std::string_view> nearest;
     for (const std::string_view candidate : candidates) {
         const std::size_t edits =
             std::min(edits_between(word, candidate), edits_between(stem, unit_of_key(candidate).stem));
-        if (edits < least) least = edits, nearest = candidate;
+        if (edits < min) min = edits, nearest = candidate;
     }
     return nearest;
 }

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "hamilcar/io/key_recorder.hpp"
+#include "hamilcar/base/text.hpp"
+#include "hamilcar/io/key_record.hpp"
 #include "hamilcar/io/key_unit.hpp"
-#include "hamilcar/io/number_text.hpp"
 #include "hamilcar/io/spelling.hpp"
 
 namespace hamilcar::io {
@@ -26,14 +26,7 @@ std::string at_index(const std::string& path, std::size_t index) {
     return path + "[" + std::to_string(index) + "]";
 }
 
-// An entry of a list of tables goes by its name, if it has one.
-std::string item_path(const std::string& list, Node& item, std::size_t index) {
-    const Node* name = item.find("name");
-    const auto* label = name ? std::get_if<std::string>(&name->value) : nullptr;
-    return label ? list + "[" + *label + "]" : at_index(list, index);
-}
-
-constexpr double nobodys = std::numeric_limits<double>::quiet_NaN();  // a number, where there is no file
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();  // a number, where there is no file
 
 std::string describe(const Range& range, std::string_view key) {
     return with_unit("a " + std::string(range.words), key);
@@ -56,7 +49,7 @@ Node* TableReader::find(std::string_view key) const {
 
 Node& TableReader::require(std::string_view key, const std::string& expectation) const {
     if (Node* node = find(key)) return *node;
-    // A key that nobody has asked for yet and that looks like this one is the one that was meant.
+    // A key that has not been asked for yet and that looks like this one is the one that was meant.
     for (const Node& entry : as_table(*node_).entries) {
         const std::string_view candidate = entry.key;
         if (is_known(*node_, candidate) || !nearest_word(key, {&candidate, 1})) continue;
@@ -68,34 +61,12 @@ Node& TableReader::require(std::string_view key, const std::string& expectation)
 }
 
 void TableReader::note(std::string_view key, std::string_view meaning, std::string_view where) const {
-    if (recorder_) recorder_->note(path_, key, meaning, where);
+    if (record_) record_->note(key, meaning, where);
 }
 
 bool TableReader::has(std::string_view key) const {
-    return recorder_ ? recorder_->has(path_, key) : find(key) != nullptr;
-}
-
-bool TableReader::has_list(std::string_view key) const {
-    if (recorder_) return recorder_->has_list(path_, key);
-    const Node* node = find(key);
-    return node && std::holds_alternative<ListValue>(node->value);
-}
-
-std::size_t TableReader::chosen(Alternatives groups) const {
-    if (recorder_) return recorder_->chosen(path_, groups);
-    std::size_t choice = 0;
-    const Node* best = nullptr;
-    for (std::size_t index = 0; index < groups.size(); ++index) {
-        for (const std::string_view key : groups.begin()[index]) {
-            const Node* node = find(key);
-            if (!node) continue;
-            if (best && choice != index && best->file == node->file) {
-                reject(*node, full(key), "either this or '" + best->key + "', not both");
-            }
-            if (!best || node->file->generation < best->file->generation) best = node, choice = index;
-        }
-    }
-    return choice;
+    if (record_) return record_->has(key), true;
+    return find(key) != nullptr;
 }
 
 double TableReader::checked(const Node& value, std::string_view key, const std::string& path,
@@ -103,32 +74,32 @@ double TableReader::checked(const Node& value, std::string_view key, const std::
     const double* number = std::get_if<double>(&value.value);
     if (!number) reject(value, path, describe(range, key));
     if (!std::isfinite(*number)) reject(value, path, with_unit("a finite " + std::string(range.words), key));
-    const bool enough = range.least_included ? *number >= range.least : *number > range.least;
+    const bool enough = range.min_included ? *number >= range.min : *number > range.min;
     const bool fits = !range.is_whole || *number == std::floor(*number);
-    if (!enough || *number > range.most || !fits) reject(value, path, describe(range, key));
+    if (!enough || *number > range.max || !fits) reject(value, path, describe(range, key));
     return *number * unit_of_key(key).to_si;
 }
 
 double TableReader::number(std::string_view key, const Range& range) const {
-    if (recorder_) return recorder_->number(path_, key, range, {}), nobodys;
+    if (record_) return record_->number(key, range, {}), no_number;
     return checked(require(key, describe(range, key)), key, full(key), range);
 }
 
-double TableReader::number(std::string_view key, const Range& range, double otherwise) const {
-    if (recorder_) return recorder_->number(path_, key, range, otherwise), otherwise;
-    return has(key) ? number(key, range) : otherwise;
+double TableReader::number(std::string_view key, const Range& range, double fallback) const {
+    if (record_) return record_->number(key, range, fallback), fallback;
+    return has(key) ? number(key, range) : fallback;
 }
 
-bool TableReader::boolean(std::string_view key, bool otherwise) const {
-    if (recorder_) return recorder_->flag(path_, key, otherwise);
+bool TableReader::boolean(std::string_view key, bool fallback) const {
+    if (record_) return record_->flag(key, fallback), fallback;
     const Node* node = find(key);
-    if (!node) return otherwise;
+    if (!node) return fallback;
     if (!std::holds_alternative<bool>(node->value)) reject(*node, full(key), "true or false");
     return std::get<bool>(node->value);
 }
 
 std::string TableReader::text(std::string_view key) const {
-    if (recorder_) return recorder_->text(path_, key), std::string(any_name);
+    if (record_) return record_->text(key), std::string(any_name);
     const Node& node = require(key, "a text in quotes");
     const auto* value = std::get_if<std::string>(&node.value);
     if (!value || value->empty()) reject(node, full(key), "a text in quotes");
@@ -137,7 +108,7 @@ std::string TableReader::text(std::string_view key) const {
 
 std::vector<std::string> TableReader::texts(std::string_view key) const {
     std::vector<std::string> result;
-    if (recorder_) return recorder_->texts(path_, key), result;
+    if (record_) return record_->texts(key), result;
     if (!has(key)) return result;
     for (const Node& item : list(key, "a list of texts in quotes").items) {
         const auto* value = std::get_if<std::string>(&item.value);
@@ -149,7 +120,7 @@ std::vector<std::string> TableReader::texts(std::string_view key) const {
 
 std::string TableReader::path_to_file(std::string_view key) const {
     const std::filesystem::path written = text(key);
-    if (recorder_) return written;
+    if (record_) return written;
     return (std::filesystem::path(find(key)->file->path).parent_path() / written).lexically_normal().string();
 }
 
@@ -161,9 +132,9 @@ ListValue& TableReader::list(std::string_view key, const std::string& expectatio
 }
 
 void TableReader::fill(std::string_view key, std::span<double> values) const {
-    if (recorder_) {
-        std::ranges::fill(values, nobodys);
-        return recorder_->numbers(path_, key, any_number, values.size(), {});
+    if (record_) {
+        std::ranges::fill(values, no_number);
+        return record_->numbers(key, any_number, values.size(), {});
     }
     const std::string expectation = with_unit(std::to_string(values.size()) + " numbers", key);
     const auto& items = list(key, expectation).items;
@@ -174,7 +145,7 @@ void TableReader::fill(std::string_view key, std::span<double> values) const {
 }
 
 void TableReader::fill_if_there(std::string_view key, std::span<double> values) const {
-    if (recorder_) return recorder_->numbers(path_, key, any_number, values.size(), values);
+    if (record_) return record_->numbers(key, any_number, values.size(), values);
     if (has(key)) fill(key, values);
 }
 
@@ -186,15 +157,15 @@ std::array<double, 3> TableReader::direction(std::string_view key) const {
     return v;
 }
 
-std::array<double, 3> TableReader::direction(std::string_view key, const std::array<double, 3>& otherwise) const {
-    if (recorder_) return array<3>(key, otherwise);
-    return has(key) ? direction(key) : otherwise;
+std::array<double, 3> TableReader::direction(std::string_view key, const std::array<double, 3>& fallback) const {
+    if (record_) return array<3>(key, fallback);
+    return has(key) ? direction(key) : fallback;
 }
 
 std::array<double, 3> TableReader::unit_direction(std::string_view key) const {
     constexpr double off = 0.01;  // what typing with two digits leaves
     const std::array<double, 3> v = direction(key);
-    if (recorder_) return v;
+    if (record_) return v;
     const std::array<double, 3> written = array<3>(key);
     const double length = std::hypot(written[0], written[1], written[2]);
     expect(std::abs(length - 1) <= off, key,
@@ -202,14 +173,14 @@ std::array<double, 3> TableReader::unit_direction(std::string_view key) const {
     return v;
 }
 
-std::array<double, 3> TableReader::unit_direction(std::string_view key, const std::array<double, 3>& otherwise) const {
-    if (recorder_) return array<3>(key, otherwise);
-    return has(key) ? unit_direction(key) : otherwise;
+std::array<double, 3> TableReader::unit_direction(std::string_view key, const std::array<double, 3>& fallback) const {
+    if (record_) return array<3>(key, fallback);
+    return has(key) ? unit_direction(key) : fallback;
 }
 
 std::vector<double> TableReader::numbers(std::string_view key, const Range& range) const {
     std::vector<double> result;
-    if (recorder_) return recorder_->numbers(path_, key, range, 0, {}), std::vector{nobodys, nobodys};
+    if (record_) return record_->numbers(key, range, 0, {}), std::vector{no_number, no_number};
     for (const Node& item : list(key, with_unit("a list of numbers", key)).items) {
         result.push_back(checked(item, key, at_index(full(key), result.size()), range));
     }
@@ -219,7 +190,7 @@ std::vector<double> TableReader::numbers(std::string_view key, const Range& rang
 
 Samples TableReader::samples(std::string_view argument, std::string_view value, const Range& range) const {
     const std::vector<double> x = numbers(argument, any_number), y = numbers(value, range);
-    if (recorder_) return {x, y};
+    if (record_) return {x, y};
     const auto& items = std::get<ListValue>(find(argument)->value).items;
     for (std::size_t i = 1; i < x.size(); ++i) {
         if (x[i] > x[i - 1]) continue;
@@ -231,24 +202,8 @@ Samples TableReader::samples(std::string_view argument, std::string_view value, 
     return {x, y};
 }
 
-std::size_t TableReader::one_of(std::string_view key, std::span<const std::string_view> words,
-                                std::optional<std::size_t> otherwise) const {
-    if (recorder_) return recorder_->one_of(path_, key, words, otherwise);
-    if (otherwise && !has(key)) return *otherwise;
-    const std::string expectation = (words.size() > 1 ? "one of " : "") + quoted_list(words);
-    const Node& node = require(key, expectation);
-    const auto* value = std::get_if<std::string>(&node.value);
-    if (!value) reject(node, full(key), expectation);
-    const auto found = std::ranges::find(words, *value);
-    if (found == words.end()) {
-        const std::string hint = words.size() > 1 ? did_you_mean(*value, words) : "";
-        reject(node, full(key), expectation + (hint.empty() ? "" : "; " + hint));
-    }
-    return static_cast<std::size_t>(found - words.begin());
-}
-
 TableReader TableReader::table(std::string_view key) const {
-    if (recorder_) return TableReader(*recorder_, recorder_->table(path_, key));
+    if (record_) return TableReader(record_->table(key, Shape::table), full(key));
     Node& node = require(key, "a table");
     if (!std::holds_alternative<TableValue>(node.value)) reject(node, full(key), "a table");
     return {node, full(key)};
@@ -261,9 +216,9 @@ std::optional<TableReader> TableReader::optional_table(std::string_view key) con
 std::vector<TableReader> TableReader::tables(std::string_view key) const {
     const std::string expectation = "at least one [[" + full(key) + "]]";
     std::vector<TableReader> result;
-    if (recorder_) {
-        for (const std::string& place : recorder_->tables(path_, key)) result.emplace_back(*recorder_, place);
-        return result;
+    if (record_) {  // two, so that a second one may name the first
+        const TableReader each(record_->table(key, Shape::tables), full(key));
+        return {each, each};
     }
     for (Node& item : list(key, expectation).items) {
         const std::string path = item_path(full(key), item, result.size());
@@ -277,23 +232,30 @@ std::vector<TableReader> TableReader::tables(std::string_view key) const {
 std::vector<std::pair<std::string, TableReader>> TableReader::named_tables(std::string_view key) const {
     const TableReader parent = table(key);
     std::vector<std::pair<std::string, TableReader>> result;
-    if (recorder_) return {{std::string(any_name), parent.table(any_name)}};
+    if (record_) return {{std::string(any_name), parent.table(any_name)}};
     for (const Node& entry : as_table(*parent.node_).entries) result.emplace_back(entry.key, parent.table(entry.key));
     return result;
 }
 
-std::vector<std::pair<std::string, double>> TableReader::named_numbers() const {
-    if (recorder_) return {{std::string(any_name), number(any_name, any_number)}};
-    std::vector<std::pair<std::string, double>> result;
+NamedValues TableReader::named_values() const {
+    if (record_) return record_->value(any_name), NamedValues{{std::string(any_name), no_number}};
+    NamedValues result;
     for (const Node& entry : as_table(*node_).entries) {
-        number(entry.key, any_number);  // checks and knows it
-        result.emplace_back(entry.key, std::get<double>(entry.value));
+        const Node& known = require(entry.key, "");
+        if (const auto* flag = std::get_if<bool>(&known.value)) {
+            result.emplace(entry.key, *flag ? "yes" : "no");
+        } else if (const auto* word = std::get_if<std::string>(&known.value)) {
+            result.emplace(entry.key, *word);
+        } else {
+            number(entry.key, any_number);  // checks it
+            result.emplace(entry.key, std::get<double>(known.value));
+        }
     }
     return result;
 }
 
 void TableReader::expect(bool condition, std::string_view key, const std::string& expectation) const {
-    if (condition || recorder_) return;
+    if (condition || record_) return;
     reject(require(key, expectation), full(key), with_unit(expectation, key));
 }
 
@@ -302,12 +264,12 @@ void TableReader::finish_below(Node& entry, const std::string& path) {
         std::size_t index = 0;
         for (Node& item : list->items) finish_below(item, item_path(path, item, index++));
     } else if (auto* table = std::get_if<TableValue>(&entry.value); table && !table->known.empty()) {
-        TableReader(entry, path).finish();  // a table nobody read is an alternative that was overridden
+        TableReader(entry, path).finish();  // a table that was not read is an alternative that was overridden
     }
 }
 
 void TableReader::finish() const {
-    if (recorder_) return;
+    if (record_) return;
     const TableValue& table = as_table(*node_);
     const std::vector<std::string_view> known(table.known.begin(), table.known.end());
     for (Node& entry : as_table(*node_).entries) {

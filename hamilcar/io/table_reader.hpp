@@ -7,19 +7,23 @@
 // so `finish` can tell a misspelled key from a known one. A mistake ends the reading with one Error that says
 // "file:line:column: key 'chassis.mass_kg' = -3: expected a positive number [kg]".
 //
-// The same calls describe the format: a reader of a KeyRecorder has no file, it notes what is asked for, and nothing that
-// is read means anything or is a mistake. The schemas for editors are made of these notes (schema.hpp).
+// The same calls describe the format: a reader of a TableRecord has no file, it notes what is asked for, and nothing that
+// is read means anything or is a mistake. The schemas for editors are made of these notes (schema.hpp). So that they
+// know what depends on what, a reader says its choices with `choose`: keys that only one word has are read in there.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <initializer_list>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "hamilcar/io/toml_document.hpp"
@@ -29,9 +33,9 @@ namespace hamilcar::io {
 // What a number may be, as written in the file; `words` follow "expected a".
 struct Range {
     std::string_view words;
-    double least = -std::numeric_limits<double>::infinity();
-    double most = std::numeric_limits<double>::infinity();
-    bool least_included = true;
+    double min = -std::numeric_limits<double>::infinity();
+    double max = std::numeric_limits<double>::infinity();
+    bool min_included = true;
     bool is_whole = false;  // no fraction
 };
 inline constexpr Range any_number{"number"};
@@ -43,30 +47,42 @@ inline constexpr Range time_step{"number from 1e-6 to 0.1", 1e-6, 0.1};  // of a
 struct Samples {
     std::vector<double> argument, value;
 };
+using NamedValues = std::map<std::string, std::variant<double, std::string>>;
 using Alternatives = std::initializer_list<std::initializer_list<std::string_view>>;
 
-class KeyRecorder;
+struct TableRecord;
+struct Choice;
 
 class TableReader {
 public:
     // `path` is the table's name in messages, "axle[front].spring"; empty for a whole file.
     TableReader(Node& table, std::string path) : node_(&table), path_(std::move(path)) {}
-    explicit TableReader(KeyRecorder& recorder, std::string path = "") : recorder_(&recorder), path_(std::move(path)) {}
+    explicit TableReader(TableRecord& record, std::string path = "") : record_(&record), path_(std::move(path)) {}
 
     // There is no file: checks of what several values mean together have to be left out.
-    bool is_recording() const { return recorder_ != nullptr; }
+    bool is_recording() const { return record_ != nullptr; }
     // What a key means, for the schema; `where` is the suspension, if it means that only there.
     void note(std::string_view key, std::string_view meaning, std::string_view where = {}) const;
 
     bool has(std::string_view key) const;
-    bool has_list(std::string_view key) const;
+
+    // What is read depends on the file: on the position of a text among `words`, a flag, whether a key is there or is a
+    // list. `read` is called with the one that it is, and with each where there is no file.
+    using Branches = std::function<void(std::size_t)>;
+    using FlagBranches = std::function<void(bool)>;
+    void choose(std::string_view key, std::span<const std::string_view> words, std::optional<std::size_t> fallback,
+                const Branches& read) const;
+    // `owner` is the table whose keys depend on it, this one or the one that this one stands in.
+    void choose_flag(std::string_view key, bool fallback, const TableReader& owner, const FlagBranches& read) const;
+    void choose_list(std::string_view key, const FlagBranches& read) const;
+    void choose_presence(std::string_view key, const FlagBranches& read) const;
     // Which of several groups of keys that state the same thing differently is present; the first if none is. Two in
     // one file are a mistake; a file's own choice overrides the one it inherits.
-    std::size_t chosen(Alternatives groups) const;
+    void choose(Alternatives groups, const Branches& read) const;
 
     double number(std::string_view key, const Range& range) const;
-    double number(std::string_view key, const Range& range, double otherwise) const;
-    bool boolean(std::string_view key, bool otherwise) const;
+    double number(std::string_view key, const Range& range, double fallback) const;
+    bool boolean(std::string_view key, bool fallback) const;
     std::string text(std::string_view key) const;
     std::vector<std::string> texts(std::string_view key) const;  // empty if absent
     // The text as a path, resolved against the folder of the file that it stands in.
@@ -79,38 +95,40 @@ public:
         return values;
     }
     template <std::size_t N>
-    std::array<double, N> array(std::string_view key, const std::array<double, N>& otherwise) const {
-        std::array<double, N> values = otherwise;
+    std::array<double, N> array(std::string_view key, const std::array<double, N>& fallback) const {
+        std::array<double, N> values = fallback;
         fill_if_there(key, values);
         return values;
     }
     std::array<double, 3> direction(std::string_view key) const;  // of any length; made a unit vector
-    std::array<double, 3> direction(std::string_view key, const std::array<double, 3>& otherwise) const;
+    std::array<double, 3> direction(std::string_view key, const std::array<double, 3>& fallback) const;
     // Where somebody might take the length for a ratio, as of a rack: expected to be one, within 1 percent.
     std::array<double, 3> unit_direction(std::string_view key) const;
-    std::array<double, 3> unit_direction(std::string_view key, const std::array<double, 3>& otherwise) const;
+    std::array<double, 3> unit_direction(std::string_view key, const std::array<double, 3>& fallback) const;
     std::vector<double> numbers(std::string_view key, const Range& range) const;
     // Two lists of equal length, the first strictly increasing.
     Samples samples(std::string_view argument, std::string_view value, const Range& range) const;
 
-    // Position of the text among `words`. Without `otherwise` the key is required.
+    // Position of the text among `words`. Without `fallback` the key is required.
     std::size_t one_of(std::string_view key, std::span<const std::string_view> words,
-                       std::optional<std::size_t> otherwise = {}) const;
+                       std::optional<std::size_t> fallback = {}) const;
 
     TableReader table(std::string_view key) const;
     std::optional<TableReader> optional_table(std::string_view key) const;
     std::vector<TableReader> tables(std::string_view key) const;  // of a list with at least one
     // The tables of a table of tables, whatever their keys are: [tire.summer], [tire.winter].
     std::vector<std::pair<std::string, TableReader>> named_tables(std::string_view key) const;
-    // All keys of this table, whatever they are, with their numbers as written; who takes them knows their units.
-    std::vector<std::pair<std::string, double>> named_numbers() const;
+    // All keys of this table, whatever they are, with their numbers or words as written; who takes them knows their units.
+    // True and false are the words "yes" and "no".
+    NamedValues named_values() const;
 
     // A mistake unless `condition`; `expectation` is a phrase, the unit is added.
     void expect(bool condition, std::string_view key, const std::string& expectation) const;
-    // After everything was read: keys nobody asked for, here and in all tables below, are mistakes.
+    // After everything was read: keys that were not asked for, here and in all tables below, are mistakes.
     void finish() const;
 
 private:
+    std::size_t chosen(Alternatives groups) const;
     Node* find(std::string_view key) const;  // and note the key as known
     Node& require(std::string_view key, const std::string& expectation) const;
     ListValue& list(std::string_view key, const std::string& expectation) const;
@@ -122,7 +140,7 @@ private:
     [[noreturn]] void reject(const Node& value, const std::string& path, const std::string& expectation) const;
 
     Node* node_ = nullptr;
-    KeyRecorder* recorder_ = nullptr;  // instead of a file
+    TableRecord* record_ = nullptr;  // instead of a file
     std::string path_;
 };
 

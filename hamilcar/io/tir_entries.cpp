@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hamilcar/base/text.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/tir_keys.hpp"
 #include "hamilcar/io/tir_limits.hpp"
@@ -49,11 +50,11 @@ std::optional<double> TirEntries::optional(std::string_view key, double unit) {
     const PropertyEntry* entry = find(key);
     if (!entry || (entry->text.empty() && !entry->quoted)) return std::nullopt;
     if (!entry->number) {
-        fail(entry->line, fmt::format("key '{}' = {}: expected a number", key, shown_in_message(entry->text)));
+        fail(entry->line, fmt::format("key '{}' = {}: expected a number", key, quoted_text(entry->text)));
     }
-    if (!(std::abs(unit * *entry->number) <= largest_in_tir)) {
+    if (!(std::abs(unit * *entry->number) <= max_in_tir)) {
         fail(entry->line, fmt::format("key '{}' = {}: expected a number of {:g} at most, in SI", key,
-                                      shown_in_message(entry->text), largest_in_tir));
+                                      quoted_text(entry->text), max_in_tir));
     }
     return unit * *entry->number;
 }
@@ -65,38 +66,40 @@ std::optional<double> TirEntries::either(std::string_view key, std::string_view 
 
 double TirEntries::positive(std::string_view key, double unit) {
     const std::optional<double> value = optional(key, unit);
-    if (!value) fail(0, fmt::format("no '{}': a tire cannot do without it", key));
-    if (!(*value >= least_in_tir)) {
+    if (!value) fail(0, fmt::format("missing required key '{}'", key));
+    if (!(*value >= min_in_tir)) {
         fail(line_of(key), fmt::format("key '{}' = {:g}: expected a positive number, {:g} at least in SI", key,
-                                       *value / unit, least_in_tir));
+                                       *value / unit, min_in_tir));
     }
     return *value;
 }
 
-double TirEntries::number(std::string_view key, double otherwise, double unit) {
+double TirEntries::number(std::string_view key, double fallback, double unit) {
     const std::optional<double> value = optional(key, unit);
-    if (!value) note(line_of(key), fmt::format("no '{}': taken as {:g}", key, otherwise / unit));
-    return value.value_or(otherwise);
+    if (!value) note(line_of(key), fmt::format("no '{}': taken as {:g}", key, fallback / unit));
+    return value.value_or(fallback);
 }
 
 void TirEntries::list_the_rest() {
-    constexpr std::size_t most_compared = 1000;  // with every key there is, which takes its time
+    constexpr std::size_t max_compared = 1000;  // with every key there is, which takes its time
     for (const PropertySection& section : file_.sections) {
         if (section.name == "UNITS" || section.name.starts_with("MDI_HEADER")) continue;
         for (const PropertyEntry& entry : section.entries) {
             if (entry.key.empty() || is_used(&entry)) continue;
             if (const PropertyEntry* first = find_in_file(entry.key); first != &entry && is_used(first)) {
-                note(entry.line, fmt::format("key '{}' stands in line {} too, which counts", entry.key, first->line));
+                note(entry.line,
+                     fmt::format("duplicate key '{}': the value in line {} is used", entry.key, first->line));
                 continue;
             }
             const bool known = is_known_but_unused(entry.key);
             if (known && entry.number && *entry.number == 0) continue;  // asks for nothing
-            const auto nearest = known || notes_.size() > most_compared ? std::nullopt : nearest_key(entry.key);
+            const auto nearest = known || notes_.size() > max_compared ? std::nullopt : nearest_key(entry.key);
             note(entry.line, fmt::format("key '{}' in [{}] is {}{}", entry.key, section.name,
                                          known ? "not used" : "not known and not used",
                                          nearest ? fmt::format("; did you mean '{}'?", *nearest) : ""));
         }
-        if (!section.rows.empty()) note(section.table_line, fmt::format("the table of [{}] is not used", section.name));
+        if (!section.rows.empty() && std::ranges::find(used_tables_, &section) == used_tables_.end())
+            note(section.table_line, fmt::format("the table of [{}] is not used", section.name));
     }
 }
 

@@ -28,9 +28,12 @@ public:
     std::optional<double> either(std::string_view key, std::string_view older, double unit = 1);
     double positive(std::string_view key, double unit);
     // What it is taken as without is noted.
-    double number(std::string_view key, double otherwise, double unit = 1);
+    double number(std::string_view key, double fallback, double unit = 1);
 
-    // Notes what nobody asked for.
+    // A table is used like an entry.
+    void use_table(const PropertySection* section) { used_tables_.push_back(section); }
+
+    // Notes what was not asked for.
     void list_the_rest();
 
 protected:
@@ -42,6 +45,7 @@ private:
 
     std::vector<std::string> notes_;
     std::vector<const PropertyEntry*> used_;
+    std::vector<const PropertySection*> used_tables_;
 };
 
 }  // namespace hamilcar::io

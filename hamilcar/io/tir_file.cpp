@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "hamilcar/base/text.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/property_units.hpp"
 #include "hamilcar/io/tir_entries.hpp"
@@ -34,6 +35,7 @@ public:
         : TirEntries(file), overrides_(overrides), units_(units_of(file)) {}
 
     TirFile read() {
+        for (const PropertyNote& left_out : file_.notes) note(left_out.line, left_out.text);
         for (const std::string_view absent : units_.absent) note(0, fmt::format("no {} in [UNITS]: SI", absent));
         read_model();
         read_casing();
@@ -44,11 +46,14 @@ public:
         apply_use_mode();
         apply_side();
         list_the_rest();
-        out_.notes = notes();
+        tire().remarks = notes();
+        tire().name = file_.path;
         return out_;
     }
 
 private:
+    static constexpr std::string_view curve_section = "DEFLECTION_LOAD_CURVE";
+
     MagicFormulaDescription& tire() { return out_.tire; }
 
     void read_model() {
@@ -60,18 +65,28 @@ private:
             fit_number = static_cast<int>(std::clamp(*fittyp->number, -1.0, 1e6));
             if (fit_number != *fittyp->number) fit_number = -1;
         } else if (fittyp) {
-            fail(fittyp->line, fmt::format("key 'FITTYP' = {}: expected a number", shown_in_message(fittyp->text)));
+            fail(fittyp->line, fmt::format("key 'FITTYP' = {}: expected a number", quoted_text(fittyp->text)));
         } else {
             note(0, fmt::format("no 'FITTYP': taken as {}", fit_number));
+        }
+        const bool motorcycle = fit_number == 51 || fit_number == 52;
+        const int newest = fits.back().number;
+        if (motorcycle && !find("PCY2")) {
+            note(fittyp->line,
+                 fmt::format("FITTYP {} is of motorcycle tires, whose PCY2 is not there: taken as 6, a car's "
+                             "MF-Tyre 5.2",
+                             fit_number));
+            fit_number = 6;
+        } else if (fit_number > newest && fit_number < 100) {
+            note(fittyp->line, fmt::format("FITTYP {} is newer than what is known: taken as {}", fit_number, newest));
+            fit_number = newest;
         }
         const auto fit = std::ranges::find(fits, fit_number, &Fit::number);
         if (fit == fits.end()) {
             std::string known;
             for (const Fit& one : fits) known += fmt::format("{}{}", known.empty() ? "" : ", ", one.number);
-            const bool motorcycle = fit_number == 51 || fit_number == 52;
-            fail(fittyp->line,
-                 fmt::format("key 'FITTYP' = {}: expected one of {}{}", shown_in_message(fittyp->text), known,
-                             motorcycle ? " (51 and 52 are motorcycle tires; a car's MF-Tyre 5.2 is 6)" : ""));
+            fail(fittyp->line, fmt::format("key 'FITTYP' = {}: expected one of {}{}", quoted_text(fittyp->text), known,
+                                           motorcycle ? " (51 and 52 are motorcycle tires, and PCY2 is there)" : ""));
         }
         const std::string_view dialect =
             written == "PAC2002" || written == "MF_05" ? std::string_view(written) : fit->name;
@@ -80,7 +95,7 @@ private:
         tire().camber_by_stiffness = fit->camber_by_stiffness;
         tire().upright_aligning_force = fit->upright_aligning_force;
         tire().nominal_speed = number("LONGVL", tire().nominal_speed, units_.velocity());
-        if (!(tire().nominal_speed >= least_in_tir)) fail(line_of("LONGVL"), "key 'LONGVL': expected a positive speed");
+        if (!(tire().nominal_speed >= min_in_tir)) fail(line_of("LONGVL"), "key 'LONGVL': expected a positive speed");
     }
 
     // Fz = stiffness d + growth d^2, with the inflation pressure that the vehicle or the file says.
@@ -91,16 +106,15 @@ private:
         const double change = read_pressure();
         const double stiffer = (1 + optional("PFZ1").value_or(0) * change) * optional("LCZ").value_or(1);
         const double load = tire().nominal_load, radius = casing.radius, square = either("Q_FZ2", "QFZ2").value_or(0);
+        casing.vertical_growth = load * square / (radius * radius) * stiffer;
         std::string_view spring = "VERTICAL_STIFFNESS";
         if (const auto linear = either("Q_FZ1", "QFZ1")) {
             casing.vertical_stiffness = load * *linear / radius * stiffer;
             spring = find("Q_FZ1") ? "Q_FZ1" : "QFZ1";
         } else {
-            const double ratio = positive("VERTICAL_STIFFNESS", units_.stiffness()) * radius / load;
-            casing.vertical_stiffness = load / radius * std::sqrt(std::max(ratio * ratio - 4 * square, 0.0)) * stiffer;
+            spring = read_spring(casing, square, stiffer);
         }
-        casing.vertical_growth = load * square / (radius * radius) * stiffer;
-        if (!(casing.vertical_stiffness >= least_in_tir && casing.vertical_stiffness <= largest_in_tir)) {
+        if (!(casing.vertical_stiffness >= min_in_tir && casing.vertical_stiffness <= max_in_tir)) {
             fail(line_of(spring),
                  fmt::format("key '{}': makes, with QFZ2, PFZ1, LCZ and the pressure, a vertical stiffness of "
                              "{:g}; expected a positive one [N/m]",
@@ -114,12 +128,44 @@ private:
         }
     }
 
+    // By VERTICAL_STIFFNESS, the one at the nominal load; without, by what else tells how far the tire deflects. Returns the key.
+    std::string_view read_spring(CasingDescription& casing, double square, double stiffer) {
+        const double load = tire().nominal_load, radius = casing.radius;
+        const auto told = optional("VERTICAL_STIFFNESS", units_.stiffness());
+        const auto by_stiffness = [&](double stiffness) {
+            const double ratio = stiffness * radius / load;
+            casing.vertical_stiffness = load / radius * std::sqrt(std::max(ratio * ratio - 4 * square, 0.0)) * stiffer;
+        };
+        if (told && *told >= min_in_tir) {
+            by_stiffness(*told);
+            return "VERTICAL_STIFFNESS";
+        }
+        const std::string missing = told ? "VERTICAL_STIFFNESS is not positive" : "no VERTICAL_STIFFNESS";
+        const auto loaded = optional("LOADED_RADIUS", units_.length);
+        const PropertySection* curve = file_.find(curve_section);
+        if (overrides_.vertical_stiffness) {
+            casing.vertical_stiffness = *overrides_.vertical_stiffness;
+        } else if (const auto spring = spring_through(curve, units_.length, units_.force)) {
+            use_table(curve);
+            casing.vertical_stiffness = (*spring)[0] * stiffer, casing.vertical_growth = (*spring)[1] * stiffer;
+            note(curve->table_line, fmt::format("{}: taken from [{}], {:g} N/m and {:g} N/m^2", missing, curve_section,
+                                                (*spring)[0], (*spring)[1]));
+        } else if (loaded && *loaded > 0 && *loaded < radius) {
+            by_stiffness(load / (radius - *loaded));
+            note(line_of("LOADED_RADIUS"),
+                 fmt::format("{}: taken from LOADED_RADIUS at FNOMIN, {:g} N/m", missing, load / (radius - *loaded)));
+        } else {
+            positive("VERTICAL_STIFFNESS", units_.stiffness());
+        }
+        return "VERTICAL_STIFFNESS";
+    }
+
     // The relative change against the nominal pressure.
     double read_pressure() {
         const auto nominal = either("NOMPRES", "IP_NOM", units_.pressure);
         auto own = either("INFLPRES", "IP", units_.pressure);
         if (overrides_.pressure) own = overrides_.pressure;
-        if (!nominal || !(*nominal >= least_in_tir)) {
+        if (!nominal || !(*nominal >= min_in_tir)) {
             if (overrides_.pressure)
                 fail(line_of("NOMPRES"),
                      "no NOMPRES: a set without one knows no effect of inflation pressure, expected no pressure_Pa in "
@@ -142,15 +188,17 @@ private:
         return change;
     }
 
-    // A pair of limits; the model's own where the file has none.
-    void range(std::array<double, 2>& limits, std::string_view least, std::string_view most, double unit,
+    // A pair of limits; the model's own where the file has none, or has what contradicts itself.
+    void range(std::array<double, 2>& limits, std::string_view min, std::string_view max, double unit,
                bool about_zero) {
-        limits = {number(least, limits[0], unit), number(most, limits[1], unit)};
-        const std::size_t line = std::max(line_of(most), line_of(least));
-        if (!(limits[0] < limits[1])) fail(line, fmt::format("expected {} below {}", least, most));
-        if (about_zero && !(limits[0] < 0 && limits[1] > 0)) {
-            fail(line, fmt::format("expected {} below and {} above zero", least, most));
-        }
+        const std::array<double, 2> own = limits;
+        limits = {number(min, own[0], unit), number(max, own[1], unit)};
+        const std::array<double, 2> written = limits;
+        limits = mended_range(written, own, about_zero);
+        if (limits == written) return;
+        note(std::max(line_of(max), line_of(min)),
+             fmt::format("{} = {:g} and {} = {:g} leave no range: taken as {:g} to {:g}", min, written[0] / unit, max,
+                         written[1] / unit, limits[0] / unit, limits[1] / unit));
     }
     void read_ranges() {
         tire().load = {0, 100 * tire().nominal_load};
@@ -158,23 +206,22 @@ private:
         range(tire().slip, "KPUMIN", "KPUMAX", 1, true);
         range(tire().angle, "ALPMIN", "ALPMAX", units_.angle, true);
         range(tire().camber, "CAMMIN", "CAMMAX", units_.angle, true);
-        constexpr double steepest = 1.55;  // tan 89 degrees is as good as sideways
-        for (double& angle : tire().angle) angle = std::clamp(angle, -steepest, steepest);
+        constexpr double max_slope = 1.55;  // tan 89 degrees is as good as sideways
+        for (double& angle : tire().angle) angle = std::clamp(angle, -max_slope, max_slope);
         for (double& angle : tire().camber) angle = std::clamp(angle, -1.5, 1.5);
-        if (!(tire().load[0] >= 0)) fail(line_of("FZMIN"), "key 'FZMIN': expected a load not below zero");
     }
 
     void read_coefficients() {
         std::string filled;
         std::size_t missing = 0;
         for (std::size_t i = 0; i < magic_count; ++i) {
-            const auto& [name, usual] = magic_coefficients[i];
+            const auto& [name, default_value] = magic_coefficients[i];
             auto value = name == "LFZO"    ? either(name, "LFZ0")
                          : name == "PPMX1" ? either(name, "QPX1")
                                            : optional(name);
-            tire().coefficients[i] = value.value_or(usual);
+            tire().coefficients[i] = value.value_or(default_value);
             if (!value && expected(name, tire().angle_slip)) {
-                filled += fmt::format("{}{} = {:g}", filled.empty() ? "" : ", ", name, usual);
+                filled += fmt::format("{}{} = {:g}", filled.empty() ? "" : ", ", name, default_value);
                 ++missing;
             }
         }
@@ -208,7 +255,7 @@ private:
             note(0, fmt::format("neither PTX1, PTY1 nor LONGITUDINAL_STIFFNESS, LATERAL_STIFFNESS: relaxation lengths "
                                 "estimated as 0.7 and 1 unloaded radius at the nominal load"));
         }
-        const auto possible = [](double stiffness) { return stiffness >= least_in_tir && stiffness <= largest_in_tir; };
+        const auto possible = [](double stiffness) { return stiffness >= min_in_tir && stiffness <= max_in_tir; };
         if (!tire().relaxation_by_load && !(possible(tire().carcass_x) && possible(tire().carcass_y))) {
             fail(line_of("LATERAL_STIFFNESS"), "LONGITUDINAL_STIFFNESS, LATERAL_STIFFNESS: expected positive numbers");
         }
@@ -230,11 +277,15 @@ private:
                  "one");
         }
         const bool own = !overrides_.radius && !overrides_.rolling_radius;  // else the vehicle's file is at fault
-        if (own && !possible_rolling_radius(casing)) {
-            fail(line_of("FREFF"),
-                 fmt::format("rolling radius {:g} m: expected between half the unloaded one and twice it",
-                             casing.rolling_radius));
-        }
+        if (!own || possible_rolling_radius(casing)) return;
+        const double written = casing.rolling_radius;
+        casing.rolling_radius = casing.radius - deflection / 3;
+        const std::string text = fmt::format(
+            "rolling radius {:g} m by BREFF, DREFF, FREFF is not between half the "
+            "unloaded one and twice it",
+            written);
+        if (!possible_rolling_radius(casing)) fail(line_of("FREFF"), text);
+        note(line_of("FREFF"), fmt::format("{}: taken as {:g} m, without them", text, casing.rolling_radius));
     }
 
     // What the file wants computed: forces in one direction only, or in both without each other.
@@ -246,7 +297,7 @@ private:
                   transient = static_cast<int>(std::fmod(written, 100)) / 10;
         if (!entry->number || mode > 5 || written >= 1000 || transient > 3) {
             fail(entry->line, fmt::format("key 'USE_MODE' = {}: expected 0 to 5, with 10, 20 or 30 more for transients",
-                                          shown_in_message(entry->text)));
+                                          quoted_text(entry->text)));
         }
         if (*entry->number < 0) tire() = mirrored(tire());
         MagicCoefficients& c = tire().coefficients;
@@ -267,8 +318,7 @@ private:
 
     void apply_side() {
         const PropertyEntry* entry = find("TYRESIDE");
-        std::string side = entry ? entry->text : "";
-        std::ranges::transform(side, side.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+        const std::string side = entry ? upper_case(entry->text) : "";
         if (side == "RIGHT") {
             tire() = mirrored(tire());
         } else if (side == "SYMMETRIC") {
@@ -276,9 +326,8 @@ private:
         } else if (side != "LEFT") {
             note(entry ? entry->line : 0,
                  side.empty() || side == "UNKNOWN"
-                     ? "no TYRESIDE: taken as LEFT"
-                     : fmt::format("TYRESIDE {} is not LEFT, RIGHT or SYMMETRIC: taken as LEFT",
-                                   shown_in_message(side)));
+                     ? "no TYRESIDE: assumed LEFT"
+                     : fmt::format("TYRESIDE {} is not LEFT, RIGHT or SYMMETRIC: assumed LEFT", quoted_text(side)));
         }
     }
 

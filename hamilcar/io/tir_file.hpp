@@ -12,9 +12,8 @@
 namespace hamilcar::io {
 
 struct TirFile {
-    MagicFormulaDescription tire;
-    std::string format;              // "MF-Tyre 6.1 (FITTYP 61)"
-    std::vector<std::string> notes;  // "file:line: key 'ABC' in [SECTION] is not known and not used"
+    MagicFormulaDescription tire;  // its remarks: "file:line: key 'ABC' in [SECTION] is not known and not used"
+    std::string format;            // "MF-Tyre 6.1 (FITTYP 61)"
 };
 
 // What a vehicle's file says otherwise, in SI: a set is often used on another size.

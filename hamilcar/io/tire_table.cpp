@@ -1,10 +1,10 @@
 // One function per model of a `[tire.NAME]` table, in the order of docs/files/tire.md.
-#include "hamilcar/io/tire_table.hpp"
+#include "hamilcar/io/vehicle_tables.hpp"
 
 #include <fmt/format.h>
 
-#include "hamilcar/io/kind.hpp"
-#include "hamilcar/io/number_text.hpp"
+#include "hamilcar/base/text.hpp"
+#include "hamilcar/io/choices.hpp"
 #include "hamilcar/io/tir_file.hpp"
 #include "hamilcar/tire/list.hpp"
 
@@ -54,7 +54,6 @@ TireDescription read_magic_formula(const TableReader& tire) {
                                  .vertical_damping = read_override(tire, "vertical_damping_N_s_per_m"),
                                  .pressure = read_override(tire, "pressure_Pa")};
     MagicFormulaDescription magic = tire.is_recording() ? MagicFormulaDescription{} : read_tir(path, overrides).tire;
-    magic.name = path;
     for (const char* key : {"rolling_radius_m", "radius_m"}) {
         if (tire.is_recording() || !tire.has(key)) continue;
         tire.expect(possible_rolling_radius(magic.casing), key,
@@ -162,6 +161,16 @@ TireDescription read_brush(const TableReader& tire) {
                             .carcass_y = tire.number("carcass_lateral_N_per_m", positive)};
 }
 
+TireDescription read_dugoff(const TableReader& tire) {
+    return DugoffDescription{.casing = read_casing(tire),
+                             .longitudinal_stiffness = tire.number("longitudinal_stiffness_N", positive),
+                             .cornering_stiffness = tire.number("cornering_stiffness_N_per_rad", positive),
+                             .friction = tire.number("friction", positive),
+                             .rolling_resistance = tire.number("rolling_resistance", not_negative, 0),
+                             .relaxation_x = tire.number("relaxation_longitudinal_m", positive),
+                             .relaxation_y = tire.number("relaxation_lateral_m", positive)};
+}
+
 template <class Model>
 constexpr Kind<TireDescription> kind(TireDescription (*read)(const TableReader&)) {
     return {Model::keyword, read};
@@ -171,14 +180,15 @@ constexpr std::array tire_kinds{kind<LinearTire<double>>(read_linear_tire),
                                 kind<MagicFormula<double>>(read_magic_formula),
                                 kind<Tmeasy<double>>(read_tmeasy),
                                 kind<Fiala<double>>(read_fiala),
-                                kind<Brush<double>>(read_brush)};
+                                kind<Brush<double>>(read_brush),
+                                kind<Dugoff<double>>(read_dugoff)};
 
 }  // namespace
 
 NamedTires read_tires(const TableReader& file) {
     NamedTires tires;
     for (const auto& [name, table] : file.named_tables("tire")) {
-        tires.emplace_back(name, read_kind(tire_kinds, table, "model", table));
+        tires.emplace_back(name, read_kind(tire_kinds, table, "model"));
     }
     file.expect(!tires.empty(), "tire", "at least one [tire.NAME]");
     return tires;

@@ -30,7 +30,7 @@ public:
             }
             if (c == '[' || c == '{') ++brackets_;
             if ((c == ']' || c == '}') && brackets_ > 0) --brackets_;
-            if (dots_ >= most_key_parts || brackets_ > most_brackets) return position_;
+            if (dots_ >= max_key_parts || brackets_ > max_brackets) return position_;
             step();
         }
         return {};

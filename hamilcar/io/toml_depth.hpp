@@ -9,8 +9,8 @@
 
 namespace hamilcar::io {
 
-inline constexpr std::size_t most_key_parts = 16;  // a.b.c has three; a vehicle file needs four
-inline constexpr std::size_t most_brackets = 32;   // lists and tables inside each other
+inline constexpr std::size_t max_key_parts = 16;  // a.b.c has three; a vehicle file needs four
+inline constexpr std::size_t max_brackets = 32;   // lists and tables inside each other
 
 // Where the text first goes deeper than that.
 std::optional<TextPosition> too_deep(std::string_view text);

@@ -1,4 +1,4 @@
-// The only file that knows toml++: text to tree, and a tree laid over its base.
+// The only file that knows toml++: text to tree, and a tree merged with its base.
 #include "hamilcar/io/toml_document.hpp"
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #endif
 #include <toml++/toml.h>
 
+#include "hamilcar/base/text.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/toml_depth.hpp"
 #include "hamilcar/io/whole_file.hpp"
@@ -19,8 +20,8 @@ namespace hamilcar::io {
 
 namespace {
 
-constexpr std::size_t longest_quote = 60;  // of a value in a message [characters]
-constexpr std::size_t most_bases = 16;     // files, each the base of the one before
+constexpr std::size_t max_quote_length = 60;  // of a value in a message [characters]
+constexpr std::size_t max_bases = 16;         // files, each the base of the one before
 
 std::string at(const SourceFile& file, TextPosition position) {
     return file.path + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
@@ -32,9 +33,7 @@ struct Reference {
 };
 
 std::string read_text(const Reference& from) {
-    std::string text = read_whole_file(from.path, LargestFile::toml, from.place);
-    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a byte order mark
-    return text;
+    return std::string(without_byte_order_mark(read_whole_file(from.path, FileLimit::toml, from.place)));
 }
 
 TextPosition position_of(const toml::source_position& at) {
@@ -74,8 +73,8 @@ Node parse(const Reference& from, int generation) {
     const auto file = std::make_shared<const SourceFile>(SourceFile{from.path, read_text(from), generation});
     if (const auto place = too_deep(file->text)) {
         fail_at(*file, *place,
-                "nested too deep: expected keys of at most " + std::to_string(most_key_parts) + " parts and at most " +
-                    std::to_string(most_brackets) + " brackets inside each other");
+                "nested too deep: expected keys of at most " + std::to_string(max_key_parts) + " parts and at most " +
+                    std::to_string(max_brackets) + " brackets inside each other");
     }
     try {
         toml::table root = toml::parse(std::string_view(file->text));
@@ -86,7 +85,7 @@ Node parse(const Reference& from, int generation) {
 }
 
 // The `name` of an entry in a list of tables; null if it has none.
-const std::string* name_of(Node& item) {
+const std::string* name_of(const Node& item) {
     const Node* name = item.find("name");
     return name ? std::get_if<std::string>(&name->value) : nullptr;
 }
@@ -95,11 +94,11 @@ bool is_list_of_named_tables(ListValue& list) {
     return std::ranges::all_of(list.items, name_of);
 }
 
-void lay_over(Node& base, Node top);
+void merge(Node& base, Node top);
 
-// Entries of one name are laid over each other, others are added. A map, since a file may have thousands.
+// Entries of one name are merged, others are added. A map, since a file may have thousands.
 template <class Name>
-void lay_over(std::vector<Node>& base, std::vector<Node>& top, const Name& name) {
+void merge(std::vector<Node>& base, std::vector<Node>& top, const Name& name) {
     std::unordered_map<std::string, std::size_t> places;
     for (std::size_t i = 0; i < base.size(); ++i) places.try_emplace(name(base[i]), i);
     for (Node& one : top) {
@@ -107,19 +106,20 @@ void lay_over(std::vector<Node>& base, std::vector<Node>& top, const Name& name)
         if (is_new) {
             base.push_back(std::move(one));
         } else {
-            lay_over(base[same->second], std::move(one));
+            merge(base[same->second], std::move(one));
         }
     }
 }
 
-void lay_over(Node& base, Node top) {
+// `top` overrides.
+void merge(Node& base, Node top) {
     if (std::holds_alternative<TableValue>(base.value) && std::holds_alternative<TableValue>(top.value)) {
-        lay_over(std::get<TableValue>(base.value).entries, std::get<TableValue>(top.value).entries,
-                 [](const Node& entry) { return entry.key; });
+        merge(std::get<TableValue>(base.value).entries, std::get<TableValue>(top.value).entries,
+              [](const Node& entry) { return entry.key; });
         std::swap(base.value, top.value);
     } else if (auto* old_list = std::get_if<ListValue>(&base.value), *new_list = std::get_if<ListValue>(&top.value);
                old_list && new_list && is_list_of_named_tables(*old_list) && is_list_of_named_tables(*new_list)) {
-        lay_over(old_list->items, new_list->items, [](Node& item) { return *name_of(item); });
+        merge(old_list->items, new_list->items, [](Node& item) { return *name_of(item); });
         std::swap(base.value, top.value);
     }
     base = std::move(top);  // with the place of the file on top: there a missing key has to be added
@@ -139,6 +139,21 @@ Reference take_base(Node& top) {
     return reference;
 }
 
+void add_places(const Node& node, const std::string& path, Places& to) {
+    if (!path.empty()) {
+        to.keys.try_emplace(path, Place{{node.file, &node.file->path}, node.begin.line, node.begin.column});
+    }
+    if (const auto* table = std::get_if<TableValue>(&node.value)) {
+        for (const Node& entry : table->entries)
+            add_places(entry, path.empty() ? entry.key : path + "." + entry.key, to);
+    } else if (const auto* list = std::get_if<ListValue>(&node.value)) {
+        for (std::size_t i = 0; i < list->items.size(); ++i) {
+            if (!std::holds_alternative<TableValue>(list->items[i].value)) return;  // the list's own place will do
+            add_places(list->items[i], item_path(path, list->items[i], i), to);
+        }
+    }
+}
+
 // Where a position is in the text [byte].
 std::size_t offset_of(std::string_view text, TextPosition position) {
     std::size_t at = 0;
@@ -152,11 +167,15 @@ std::size_t offset_of(std::string_view text, TextPosition position) {
 
 }  // namespace
 
-Node* Node::find(std::string_view entry) {
-    auto* table = std::get_if<TableValue>(&value);
+const Node* Node::find(std::string_view entry) const {
+    const auto* table = std::get_if<TableValue>(&value);
     if (!table) return nullptr;
     const auto found = std::ranges::find(table->entries, entry, &Node::key);
     return found == table->entries.end() ? nullptr : &*found;
+}
+
+Node* Node::find(std::string_view entry) {
+    return const_cast<Node*>(std::as_const(*this).find(entry));
 }
 
 std::string Node::written() const {
@@ -171,7 +190,7 @@ std::string Node::written() const {
             quote += ' ';
         }
         const bool between_characters = (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-        if (quote.size() > longest_quote && between_characters) return quote.substr(0, quote.size() - 1) + "...";
+        if (quote.size() > max_quote_length && between_characters) return quote.substr(0, quote.size() - 1) + "...";
     }
     return quote;
 }
@@ -186,15 +205,27 @@ Node read_toml(const std::string& path) {
         if (std::ranges::any_of(chain, same_file)) {
             throw Error(ExitCode::bad_file, base.place + "expected a file that does not lead back to this one");
         }
-        if (chain.size() == most_bases) {
-            throw Error(ExitCode::bad_file, base.place + "expected at most " + std::to_string(most_bases) +
+        if (chain.size() == max_bases) {
+            throw Error(ExitCode::bad_file, base.place + "expected at most " + std::to_string(max_bases) +
                                                 " files that stand on each other");
         }
         chain.push_back(parse(base, static_cast<int>(chain.size())));
     }
     Node merged = std::move(chain.back());
-    for (chain.pop_back(); !chain.empty(); chain.pop_back()) lay_over(merged, std::move(chain.back()));
+    for (chain.pop_back(); !chain.empty(); chain.pop_back()) merge(merged, std::move(chain.back()));
     return merged;
+}
+
+std::string item_path(const std::string& list, const Node& item, std::size_t number) {
+    const std::string* name = name_of(item);
+    return list + "[" + (name ? *name : std::to_string(number)) + "]";
+}
+
+std::shared_ptr<const Places> places_of(const Node& document) {
+    const auto places = std::make_shared<Places>();
+    places->file = document.file->path;
+    add_places(document, "", *places);
+    return places;
 }
 
 void fail_at(const SourceFile& file, TextPosition position, const std::string& message) {

@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "hamilcar/description/places.hpp"
+
 namespace hamilcar::io {
 
 struct SourceFile {
@@ -41,12 +43,19 @@ struct Node {
     TextPosition key_begin, begin, end;
 
     Node* find(std::string_view entry);  // of a table; null if absent
+    const Node* find(std::string_view entry) const;
     // The value as the person wrote it, on one line and shortened.
     std::string written() const;
 };
 
 // Throws Error: input_output if a file cannot be read, bad_file if it is no valid TOML or its bases form a circle.
 Node read_toml(const std::string& path);
+
+// Of all keys of a file and of what it starts from.
+std::shared_ptr<const Places> places_of(const Node& document);
+
+// "list[name]" of an entry that has a name, else "list[number]".
+std::string item_path(const std::string& list, const Node& item, std::size_t number);
 
 // Throws Error(bad_file, "file:line:column: message").
 [[noreturn]] void fail_at(const SourceFile& file, TextPosition position, const std::string& message);

@@ -6,11 +6,10 @@
 #include <functional>
 #include <numbers>
 
-#include "hamilcar/io/axle_file.hpp"
-#include "hamilcar/io/body_file.hpp"
-#include "hamilcar/io/name.hpp"
-#include "hamilcar/io/number_text.hpp"
-#include "hamilcar/io/powertrain_file.hpp"
+#include "hamilcar/base/text.hpp"
+#include "hamilcar/io/bodywork_file.hpp"
+#include "hamilcar/io/choices.hpp"
+#include "hamilcar/io/vehicle_tables.hpp"
 #include "hamilcar/vehicle/vehicle.hpp"
 
 namespace hamilcar::io {
@@ -33,10 +32,11 @@ void read_air_coefficients(const TableReader& table, AerodynamicsDescription& ai
     if (table.has("side_force_coefficient")) {
         air.side_area = table.number("side_force_coefficient", not_negative) * area;
     }
-    if (table.has("yaw_moment_coefficient")) {
+    table.choose_presence("yaw_moment_coefficient", [&](bool present) {
+        if (!present) return;
         const double length = table.number("reference_length_m", positive);
         air.yaw_volume = table.number("yaw_moment_coefficient", any_number) * area * length;
-    }
+    });
 }
 
 // Along x, of the foremost and the rearmost wheels of the motor vehicle.
@@ -52,12 +52,11 @@ AerodynamicsDescription read_aerodynamics(const std::optional<TableReader>& tabl
     AerodynamicsDescription air;
     air.center = vehicle.chassis.center_of_mass;
     if (!table) return air;
-    const bool by_coefficients =
-        table->chosen(
-            {{"drag_area_m2", "lift_area_front_m2", "lift_area_rear_m2", "side_force_area_m2", "yaw_moment_volume_m3"},
-             {"drag_coefficient", "frontal_area_m2", "lift_coefficient_front", "lift_coefficient_rear",
-              "side_force_coefficient", "yaw_moment_coefficient", "reference_length_m"}}) == 1;
-    (by_coefficients ? read_air_coefficients : read_air_areas)(*table, air);
+    table->choose(
+        {{"drag_area_m2", "lift_area_front_m2", "lift_area_rear_m2", "side_force_area_m2", "yaw_moment_volume_m3"},
+         {"drag_coefficient", "frontal_area_m2", "lift_coefficient_front", "lift_coefficient_rear",
+          "side_force_coefficient", "yaw_moment_coefficient", "reference_length_m"}},
+        [&](std::size_t group) { (group == 1 ? read_air_coefficients : read_air_areas)(*table, air); });
     air.air_density = table->number("air_density_kg_per_m3", not_negative);
     air.center = table->array<3>("center_m", air.center);
     air.lift_place = table->array<2>("lift_places_m", end_axles(vehicle));
@@ -79,21 +78,24 @@ HullDescription read_hull(const std::optional<TableReader>& table) {
     return hull;
 }
 
+void read_rack_curve(const TableReader& table, SteeringDescription& to) {
+    const Samples curve = table.samples("angle_deg", "rack_m", not_negative);
+    table.expect(curve.argument.size() >= 2 && curve.argument[0] == 0, "angle_deg",
+                 "at least two angles, the first of them 0");
+    table.expect(curve.value[0] == 0 &&
+                     std::ranges::adjacent_find(curve.value, std::ranges::greater_equal{}) == curve.value.end(),
+                 "rack_m", "displacements that begin with 0 and increase");
+    to.angle = curve.argument, to.rack = curve.value;
+    to.rack_per_revolution = 2 * std::numbers::pi * curve.value[1] / curve.argument[1];
+}
+
 SteeringDescription read_steering(const std::optional<TableReader>& table) {
     SteeringDescription steering;
     if (!table) return steering;
-    if (table->chosen({{"rack_m_per_revolution"}, {"angle_deg", "rack_m"}}) == 0) {
+    table->choose({{"rack_m_per_revolution"}, {"angle_deg", "rack_m"}}, [&](std::size_t group) {
+        if (group == 1) return read_rack_curve(*table, steering);
         steering.rack_per_revolution = table->number("rack_m_per_revolution", positive);
-    } else {
-        const Samples curve = table->samples("angle_deg", "rack_m", not_negative);
-        table->expect(curve.argument.size() >= 2 && curve.argument[0] == 0, "angle_deg",
-                      "at least two angles, the first of them 0");
-        table->expect(curve.value[0] == 0 &&
-                          std::ranges::adjacent_find(curve.value, std::ranges::greater_equal{}) == curve.value.end(),
-                      "rack_m", "displacements that begin with 0 and increase");
-        steering.angle = curve.argument, steering.rack = curve.value;
-        steering.rack_per_revolution = 2 * std::numbers::pi * curve.value[1] / curve.argument[1];
-    }
+    });
     steering.rack_travel = table->number("rack_travel_m", positive);
     return steering;
 }
@@ -124,30 +126,22 @@ void read_trailer(const TableReader& table, const NamedTires& tires, std::vector
     trailer.hitch_point = table.array<3>("hitch_m");
     trailer.yaw_damping = table.number("yaw_damping_N_m_s_per_rad", not_negative, 0);
     trailer.chassis = read_body(table.table("chassis"));
+    trailer.bodywork = read_bodywork(table.optional_table("body"));
     vehicle.trailers.push_back(trailer);
     read_axles(table, tires, vehicle.trailers.size(), names, vehicle);
-}
-
-// How many numbers of a state suspensions and hitches take.
-int numbers_of_suspensions(const VehicleDescription& vehicle) {
-    int count = 0;
-    for (const SuspensionDescription& suspension : vehicle.suspensions) {
-        count += 2 * suspension.linkage.coordinate_count() - suspension.linkage.equation_count();
-        for (const SuspensionWheelDescription& wheel : suspension.wheels) {
-            count += SuspensionWheel<double>::size(wheel.dual_spacing > 0 ? 2 : 1);
-        }
-    }
-    for (const TrailerDescription& trailer : vehicle.trailers) {
-        count += 2 * static_cast<int>(hitch_angles(trailer.hitch).size());
-    }
-    return count;
 }
 
 }  // namespace
 
 VehicleDescription read_vehicle(const std::string& path) {
     Node document = read_toml(path);
-    return read_vehicle(TableReader(document, ""));
+    return read_vehicle(document);
+}
+
+VehicleDescription read_vehicle(Node& document) {
+    VehicleDescription vehicle = read_vehicle(TableReader(document, ""));
+    vehicle.places = places_of(document);
+    return vehicle;
 }
 
 VehicleDescription read_vehicle(const TableReader& file) {
@@ -162,7 +156,9 @@ VehicleDescription read_vehicle(const TableReader& file) {
                                .steering = read_steering(file.optional_table("steering")),
                                .power_units = {},
                                .differentials = {},
-                               .gravity = file.number("gravity_m_per_s2", not_negative, 9.80665)};
+                               .gravity = file.number("gravity_m_per_s2", not_negative, 9.80665),
+                               .bodywork = read_bodywork(file.optional_table("body")),
+                               .places = {}};
     const NamedTires tires = read_tires(file);
     std::vector<std::string> names;
     read_axles(file, tires, 0, names, vehicle);
@@ -172,7 +168,7 @@ VehicleDescription read_vehicle(const TableReader& file) {
                     std::to_string(max_trailers) + " trailers at most");
     }
     file.expect(
-        numbers_of_suspensions(vehicle) <= beyond_chassis_capacity, "axle",
+        StateLayout(vehicle).size() <= state_capacity, "axle",
         std::to_string(beyond_chassis_capacity) + " coordinates, momenta and wheel states of suspensions at most");
     const double driven = driven_share(vehicle);
     file.tables("axle").back().expect(
@@ -180,8 +176,7 @@ VehicleDescription read_vehicle(const TableReader& file) {
         "shares of all axles that add up to 1, or to 0 (here " + number_text(driven) + ")");
     vehicle.aerodynamics = read_aerodynamics(file.optional_table("aerodynamics"), vehicle);
     read_powertrain(file, vehicle);
-    const std::size_t powertrain = 4 * vehicle.power_units.size() + vehicle.differentials.size() + 1;
-    file.expect(numbers_of_suspensions(vehicle) + static_cast<int>(powertrain) <= beyond_chassis_capacity, "power_unit",
+    file.expect(StateLayout(vehicle).size() <= state_capacity, "power_unit",
                 "fewer coordinates of suspensions, or fewer power units and differentials: together they hold " +
                     std::to_string(beyond_chassis_capacity) + " numbers at most");
     file.finish();

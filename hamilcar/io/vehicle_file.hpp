@@ -10,6 +10,7 @@ namespace hamilcar::io {
 
 // Throws Error (bad_file or input_output) with file, line, column, key, value, expectation and unit.
 VehicleDescription read_vehicle(const std::string& path);
+VehicleDescription read_vehicle(Node& document);  // of read_toml
 VehicleDescription read_vehicle(const TableReader& file);
 
 }  // namespace hamilcar::io

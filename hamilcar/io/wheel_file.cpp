@@ -1,5 +1,5 @@
 // One function per table of a wheel, in the order of docs/files/vehicle.md.
-#include "hamilcar/io/wheel_file.hpp"
+#include "hamilcar/io/vehicle_tables.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +12,16 @@ namespace {
 
 Point read_spin_axis(const TableReader& wheel) {
     constexpr Range tilt{"number from -20 to 20", -20, 20};
-    if (wheel.chosen({{"camber_deg", "toe_in_deg"}, {"spin_axis"}}) == 1) {
-        const Point axis = wheel.direction("spin_axis");
-        wheel.expect(axis[1] > 0, "spin_axis", "a direction to the left: y above zero");
-        return axis;
-    }
-    const double camber = wheel.number("camber_deg", tilt), toe_in = wheel.number("toe_in_deg", tilt);
-    return {std::cos(camber) * std::sin(toe_in), std::cos(camber) * std::cos(toe_in), -std::sin(camber)};
+    Point axis{};
+    wheel.choose({{"camber_deg", "toe_in_deg"}, {"spin_axis"}}, [&](std::size_t group) {
+        if (group == 1) {
+            axis = wheel.direction("spin_axis");
+            return wheel.expect(axis[1] > 0, "spin_axis", "a direction to the left: y above zero");
+        }
+        const double camber = wheel.number("camber_deg", tilt), toe_in = wheel.number("toe_in_deg", tilt);
+        axis = {std::cos(camber) * std::sin(toe_in), std::cos(camber) * std::cos(toe_in), -std::sin(camber)};
+    });
+    return axis;
 }
 
 // Where the straight lines between the points pass v = 0.
@@ -30,6 +33,21 @@ double force_at_rest(const Samples& curve) {
     return i == 0 ? f[0] : f[i] - v[i] * (f[i] - f[i - 1]) / (v[i] - v[i - 1]);
 }
 
+DamperDescription read_damper_curve(const TableReader& damper) {
+    const Samples curve = damper.samples("velocity_m_per_s", "force_N", any_number);
+    constexpr std::size_t max = Damper<double>::max_segments + 1;
+    damper.expect(curve.argument.size() >= 2 && curve.argument.size() <= max, "velocity_m_per_s",
+                  "2 to " + std::to_string(max) + " numbers");
+    const double largest = std::abs(*std::ranges::max_element(curve.value, {}, [](double f) { return std::abs(f); }));
+    damper.expect(std::abs(force_at_rest(curve)) <= 1e-9 * largest, "force_N",
+                  "a curve through the origin: no force at velocity 0");
+    for (std::size_t i = 0; i < curve.value.size(); ++i) {
+        damper.expect(curve.argument[i] * curve.value[i] >= 0, "force_N",
+                      "forces with the sign of their velocity, so that energy is only lost");
+    }
+    return {curve.argument, curve.value};
+}
+
 }  // namespace
 
 WheelDescription read_wheel(const TableReader& wheel) {
@@ -39,22 +57,16 @@ WheelDescription read_wheel(const TableReader& wheel) {
 }
 
 DamperDescription read_damper(const TableReader& damper) {
-    if (damper.chosen({{"damping_N_s_per_m"}, {"velocity_m_per_s", "force_N"}}) == 0) {
-        const double damping = damper.number("damping_N_s_per_m", not_negative);
-        return {{-1, 1}, {-damping, damping}};
-    }
-    const Samples curve = damper.samples("velocity_m_per_s", "force_N", any_number);
-    constexpr std::size_t most = Damper<double>::max_segments + 1;
-    damper.expect(curve.argument.size() >= 2 && curve.argument.size() <= most, "velocity_m_per_s",
-                  "2 to " + std::to_string(most) + " numbers");
-    const double largest = std::abs(*std::ranges::max_element(curve.value, {}, [](double f) { return std::abs(f); }));
-    damper.expect(std::abs(force_at_rest(curve)) <= 1e-9 * largest, "force_N",
-                  "a curve through the origin: no force at velocity 0");
-    for (std::size_t i = 0; i < curve.value.size(); ++i) {
-        damper.expect(curve.argument[i] * curve.value[i] >= 0, "force_N",
-                      "forces with the sign of their velocity, so that energy is only lost");
-    }
-    return {curve.argument, curve.value};
+    DamperDescription out;
+    damper.choose({{"damping_N_s_per_m"}, {"velocity_m_per_s", "force_N"}}, [&](std::size_t group) {
+        if (group == 1) {
+            out = read_damper_curve(damper);
+        } else {
+            const double damping = damper.number("damping_N_s_per_m", not_negative);
+            out = {{-1, 1}, {-damping, damping}};
+        }
+    });
+    return out;
 }
 
 StopDescription read_stop(const std::optional<TableReader>& stop) {

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t random_digits = 16;  // of a name that nobody can guess
+constexpr std::size_t random_digits = 16;  // of a name that cannot be guessed
 
 // A file descriptor that closes itself.
 class OpenFile {
@@ -58,7 +58,7 @@ bool write_all(int file, std::string_view rest) {
     return true;
 }
 
-// A file that nobody else has opened, and its name.
+// A file that no other program has opened, and its name.
 std::pair<int, std::string> open_beside(const std::string& path) {
     for (;;) {
         std::uint64_t number = 0;
@@ -67,6 +67,13 @@ std::pair<int, std::string> open_beside(const std::string& path) {
         const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (file >= 0 || errno != EEXIST) return {file, name};
     }
+}
+
+// A new name is safe from a power cut once the folder is on the disk. Some file systems cannot do that, and need not.
+void sync_folder_of(const std::string& path) {
+    const fs::path folder = fs::path(path).parent_path();
+    const OpenFile file(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (file.number() >= 0) ::fsync(file.number());
 }
 
 [[noreturn]] void fail_to_read(const std::string& path, int cause) {
@@ -86,7 +93,7 @@ std::uintmax_t regular_file_size(const std::string& path) {
     return static_cast<std::uintmax_t>(status.st_size);
 }
 
-std::string read_whole_file(const std::string& path, std::size_t most, const std::string& place) {
+std::string read_whole_file(const std::string& path, std::size_t max, const std::string& place) {
     // Not blocking: who opens a pipe would wait for its other end.
     const OpenFile file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
     struct stat status {};
@@ -94,9 +101,9 @@ std::string read_whole_file(const std::string& path, std::size_t most, const std
     if (!S_ISREG(status.st_mode)) refuse_kind(place + path, "read", status.st_mode);
     const auto refuse_size = [&] {
         throw Error(ExitCode::bad_file,
-                    fmt::format("{}{}: larger than {} MB: expected a smaller file", place, path, most / 1'000'000));
+                    fmt::format("{}{}: larger than {} MB: expected a smaller file", place, path, max / 1'000'000));
     };
-    if (static_cast<std::uintmax_t>(status.st_size) > most) refuse_size();
+    if (static_cast<std::uintmax_t>(status.st_size) > max) refuse_size();
     std::string text(static_cast<std::size_t>(status.st_size), '\0');
     std::size_t filled = 0;
     for (;;) {  // to the end, which may lie elsewhere than the size says: the kernel's own files have none
@@ -106,9 +113,19 @@ std::string read_whole_file(const std::string& path, std::size_t most, const std
         if (count < 0) fail_to_read(place + path, errno);
         if (count == 0) break;
         filled += static_cast<std::size_t>(count);
-        if (filled > most) refuse_size();
+        if (filled > max) refuse_size();
     }
     text.resize(filled);
+    return text;
+}
+
+std::string file_beginning(const std::string& path, std::size_t bytes) {
+    const OpenFile file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+    struct stat status {};
+    if (file.number() < 0 || ::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode)) return {};
+    std::string text(bytes, '\0');
+    const ssize_t count = ::read(file.number(), text.data(), bytes);
+    text.resize(count < 0 ? 0 : static_cast<std::size_t>(count));
     return text;
 }
 
@@ -143,13 +160,23 @@ void write_whole_file(const std::string& path, std::initializer_list<std::string
     OpenFile file(number);
     bool written = true;
     for (const std::string_view part : parts) written = written && write_all(number, part);
+    written = written && ::fsync(number) == 0;
     int cause = errno;
     if (written && !file.close()) written = false, cause = errno;
     if (written && ::rename(name.c_str(), path.c_str()) != 0) written = false, cause = errno;
-    if (written) return;
+    if (written) return sync_folder_of(path);
     std::error_code gone;
     fs::remove(name, gone);
     fail_to_write(path, cause);
+}
+
+void put_in_place(const std::string& name, const std::string& path) {
+    const OpenFile file(::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
+    if (file.number() < 0 || ::fsync(file.number()) != 0 || ::rename(name.c_str(), path.c_str()) != 0) {
+        throw Error(ExitCode::input_output,
+                    fmt::format("{}: cannot put the file in its place: {}", path, std::strerror(errno)));
+    }
+    sync_folder_of(path);
 }
 
 }  // namespace hamilcar::io

@@ -16,8 +16,8 @@ Message message(std::string text) {
     return std::make_shared<const std::string>(std::move(text));
 }
 
-bool contains_id(const std::vector<Choice>& list, const std::string& id) {
-    return std::any_of(list.begin(), list.end(), [&](const Choice& choice) { return choice.id == id; });
+bool contains_id(const std::vector<Selectable>& list, const std::string& id) {
+    return std::any_of(list.begin(), list.end(), [&](const Selectable& choice) { return choice.id == id; });
 }
 
 }  // namespace
@@ -55,10 +55,9 @@ void Connections::receive(std::uint32_t number, std::string_view text) {
     const auto parsed = read_message(text);
     if (const auto* problem = std::get_if<InvalidMessage>(&parsed)) {
         refuse(number, problem->message);
-        if (++client.invalid_messages == max_invalid_messages) client.page->disconnect("too many invalid messages");
+        if (++client.invalid_messages >= max_invalid_messages) client.page->disconnect("too many invalid messages");
         return;
     }
-    client.invalid_messages = 0;
     handle(number, std::get<ClientMessage>(parsed));
 }
 
@@ -155,6 +154,10 @@ void Connections::send_tiles() {
 
 void Connections::send_status() {
     for (const auto& [number, client] : clients_) client.page->send_text(status_for(client));
+}
+
+void Connections::forgive() {
+    for (auto& [number, client] : clients_) client.invalid_messages = std::max(client.invalid_messages - 1, 0);
 }
 
 Message Connections::status_for(const Client& client) {

@@ -29,7 +29,7 @@ public:
 
 class Connections {
 public:
-    static constexpr int max_invalid_messages = 20;  // in a row
+    static constexpr int max_invalid_messages = 20;  // that are not forgiven yet
 
     explicit Connections(Session& session) : session_(session) {}
 
@@ -41,6 +41,7 @@ public:
     void update();      // when the session's wake-up event is signaled
     void send_tiles();  // a few; to be called about twenty times a second
     void send_status();
+    void forgive();         // one invalid message of every page; to be called once a second
     std::string summary();  // one line for a log
 
 private:

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "hamilcar/base/units.hpp"
 #include "hamilcar/driver/steering_actuator.hpp"
 
 namespace hamilcar::live {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180, kilometer_per_hour = 1 / 3.6;
+using units::degree;
+using units::kilometer_per_hour;
 
 struct Rates {
     double speed;  // maximum of the steering wheel [rad/s]

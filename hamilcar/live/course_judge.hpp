@@ -12,7 +12,7 @@
 
 #include "hamilcar/driver/observation.hpp"
 #include "hamilcar/driver/path.hpp"
-#include "hamilcar/maneuver/common.hpp"
+#include "hamilcar/maneuver/test_run.hpp"
 
 namespace hamilcar::live {
 

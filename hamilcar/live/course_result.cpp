@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "hamilcar/base/units.hpp"
+
 namespace hamilcar::live {
 
 namespace {
@@ -23,9 +25,9 @@ CourseResult course_result(const Course& course, const CourseRun& run) {
         out.values.push_back({name, unit, meaning, known ? value : not_a_number});
     };
     const double mean_speed = run.distance / std::max(run.time, 1e-3), samples = std::max(run.samples, 1L);
-    add("entry speed", "km/h", "", run.entry_speed / kilometer_per_hour, run.entered);
-    add("exit speed", "km/h", "", run.exit_speed / kilometer_per_hour, run.finished);
-    add("mean speed", "km/h", "along the line", mean_speed / kilometer_per_hour, run.finished);
+    add("entry speed", "km/h", "", run.entry_speed / units::kilometer_per_hour, run.entered);
+    add("exit speed", "km/h", "", run.exit_speed / units::kilometer_per_hour, run.finished);
+    add("mean speed", "km/h", "along the line", mean_speed / units::kilometer_per_hour, run.finished);
     add("largest lateral acceleration", "m/s^2", "of the center of mass, either way", run.lateral_acceleration,
         run.samples > 0);
     if (course.cones.empty() && course.boundaries.empty()) {

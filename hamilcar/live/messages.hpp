@@ -1,4 +1,4 @@
-// Messages between page and server, as text and bytes. The page's side is web/src/live/protocol.ts; the two change together.
+// Messages between page and server, as text and bytes. schemas/page.schema.json states them; the page's side is generated from it.
 //
 // A client message is accepted only if it is a flat object with exactly the fields of its type, each of the right type and within
 // its range. Anything else is refused with an error message.

@@ -8,12 +8,13 @@ namespace hamilcar::live {
 namespace {
 constexpr double nanosecond = 1e-9;
 constexpr Nanoseconds second = 1'000'000'000;
+constexpr Nanoseconds longest_without_rest = 95'000'000, rest = 5'000'000;
 }  // namespace
 
 Pacer::Pacer(double step, double pace) : step_(step), pace_(pace), period_(step / pace / nanosecond) {}
 
 void Pacer::restart(Nanoseconds now) {
-    origin_ = now;
+    origin_ = rested_ = now;
     since_origin_ = 0;
     first_ = true;
     window_ = {.start = now};
@@ -28,6 +29,13 @@ void Pacer::set_pace(double pace, Nanoseconds now) {
 
 Nanoseconds Pacer::deadline() const {
     return origin_ + std::llround(static_cast<double>(since_origin_) * period_);
+}
+
+Nanoseconds Pacer::wake_time(Nanoseconds now) {
+    const Nanoseconds due = deadline();
+    if (due > now) return rested_ = due;
+    if (now - rested_ < longest_without_rest) return now;
+    return rested_ = now + rest;
 }
 
 void Pacer::begin(Nanoseconds now) {

@@ -34,7 +34,10 @@ public:
     double pace() const { return pace_; }
 
     Nanoseconds deadline() const;  // of the next step
-    void begin(Nanoseconds now);   // of a step
+    // To sleep until before it: at once where it is late. Who is late all the time still leaves a twentieth of the time to others,
+    // which matters where the thread has real-time priority.
+    Nanoseconds wake_time(Nanoseconds now);
+    void begin(Nanoseconds now);  // of a step
     void end(Nanoseconds now);
     const PaceReport& report() const { return report_; }
 
@@ -46,7 +49,7 @@ private:
     void update_means();
 
     double step_, pace_, period_;  // [s], [1], [ns]
-    Nanoseconds origin_ = 0, began_ = 0;
+    Nanoseconds origin_ = 0, began_ = 0, rested_ = 0;
     long since_origin_ = 0;     // steps
     bool first_ = true;         // after a restart: nothing to measure a period from
     bool full_window_ = false;  // a full second has been evaluated

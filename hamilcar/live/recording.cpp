@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <ctime>
@@ -12,7 +13,7 @@
 
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/result_file.hpp"
-#include "hamilcar/run/film.hpp"
+#include "hamilcar/run/replay_rows.hpp"
 
 namespace hamilcar::live {
 
@@ -26,7 +27,7 @@ constexpr int polls_per_flush = 20;          // a crash loses at most a second
 std::vector<std::size_t> chosen_channels(const std::vector<Channel>& channels) {
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < channels.size(); ++i) {
-        if (channels[i].standard || channels[i].motion) chosen.push_back(i);
+        if (channels[i].standard || is_motion(channels[i].column.role)) chosen.push_back(i);
     }
     return chosen;
 }
@@ -36,6 +37,39 @@ std::unique_ptr<io::ResultWriter> open(const std::string& path, const LiveSimula
     std::vector<io::Column> columns;
     for (const std::size_t i : chosen) columns.push_back(simulation.channels()[i].column);
     return io::open_netcdf(path, columns, simulation.vehicle().name, {{io::scene_attribute, simulation.scene()}});
+}
+
+struct Held {
+    long files = 0;
+    std::uintmax_t bytes = 0;
+};
+
+// Recordings and the roads beside them. What cannot be looked at counts as nothing.
+Held held_by(const std::string& folder) {
+    Held held;
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const auto ending = entry->path().extension();
+        if (ending != ".nc" && ending != ".road") continue;
+        std::error_code ignored;
+        const std::uintmax_t size = entry->file_size(ignored);
+        held.bytes += ignored ? 0 : size;
+        held.files += ending == ".nc";
+    }
+    return held;
+}
+
+std::uintmax_t room_beside(const std::string& path, const RecordingQuota& quota) {
+    const std::uintmax_t held = held_by(std::filesystem::path(path).parent_path().string()).bytes;
+    return quota.bytes - std::min(held, quota.bytes);
+}
+
+std::string full_text(const std::string& folder, const RecordingQuota& quota) {
+    return fmt::format(
+        "{}: holds as many recordings as it may, {} of them or {:.3g} GB; remove some, or start with another folder "
+        "(-o)",
+        folder, quota.files, 1e-9 * static_cast<double>(quota.bytes));
 }
 
 // For use in a file name: letters, digits, '-' and '_'; other characters become '_'.
@@ -49,10 +83,13 @@ std::string sanitized(std::string name) {
 
 }  // namespace
 
-Recording::Recording(std::string path, std::shared_ptr<const LiveSimulation> simulation)
+Recording::Recording(std::string path, std::shared_ptr<const LiveSimulation> simulation, const RecordingQuota& quota)
     : path_(std::move(path)),
       simulation_(std::move(simulation)),
       chosen_(chosen_channels(simulation_->channels())),
+      quota_(quota),
+      room_(room_beside(path_, quota)),
+      row_bytes_((1 + chosen_.size()) * sizeof(double)),
       writer_(open(path_, *simulation_, chosen_)),
       ring_(rows_in_ring, position_columns + chosen_.size()),
       thread_([this](const std::stop_token& stop) { write_rows(stop); }) {}
@@ -80,7 +117,7 @@ void Recording::add_row(double time, double x, double y, std::span<const double>
 
 void Recording::write_rows(const std::stop_token& stop) {
     try {
-        for (int polls = 1; !stop.stop_requested(); ++polls) {
+        for (int polls = 1; !stop.stop_requested() && !is_full(); ++polls) {
             std::this_thread::sleep_for(poll_interval);
             write_pending();
             if (polls % polls_per_flush == 0) writer_->flush();
@@ -88,6 +125,10 @@ void Recording::write_rows(const std::stop_token& stop) {
         write_pending();
         writer_->close();
         write_road();
+        if (!is_full()) return;
+        failure_ = fmt::format("{}; {} is complete up to here",
+                               full_text(std::filesystem::path(path_).parent_path().string(), quota_), path_);
+        failed_.store(true, std::memory_order_release);
     } catch (const std::exception& error) {  // a full disk: the file keeps what was flushed, further rows are lost
         failure_ = error.what();
         failed_.store(true, std::memory_order_release);
@@ -95,10 +136,11 @@ void Recording::write_rows(const std::stop_token& stop) {
 }
 
 void Recording::write_pending() {
-    for (auto row = ring_.oldest(); !row.empty(); row = ring_.oldest()) {
+    for (auto row = ring_.oldest(); !row.empty() && !is_full(); row = ring_.oldest()) {
         if (x_.empty()) first_time_ = row[0];
         x_.push_back(row[1]), y_.push_back(row[2]);
         writer_->write(row[0], row.subspan(position_columns));
+        ++rows_;
         seconds_.store(row[0] - first_time_, std::memory_order_relaxed);
         ring_.pop();
     }
@@ -110,9 +152,13 @@ void Recording::write_road() const {
     if (!tiles.empty()) io::write_tiles(io::tiles_beside(path_), tiles);
 }
 
-std::string new_recording_file(const std::string& folder, const std::string& name) {
+std::string new_recording_file(const std::string& folder, const std::string& name, const RecordingQuota& quota) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
+    const Held held = held_by(folder);
+    if (held.files >= quota.files || held.bytes >= quota.bytes) {
+        throw io::Error(io::ExitCode::input_output, full_text(folder, quota));
+    }
     const std::time_t now = std::time(nullptr);
     std::tm local{};
     localtime_r(&now, &local);

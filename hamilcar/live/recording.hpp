@@ -5,6 +5,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -17,12 +18,19 @@
 
 namespace hamilcar::live {
 
+// What a folder of recordings may hold, those of earlier drives included; a page that records on and on fills no disk.
+struct RecordingQuota {
+    long files = 500;
+    std::uintmax_t bytes = 4'000'000'000;  // about ten hours
+};
+
 class Recording {
 public:
     static constexpr double interval = 0.01;  // between rows, of simulated time [s]
 
-    // Records the channels of the default set and those that show motion. Throws io::Error(input_output).
-    Recording(std::string path, std::shared_ptr<const LiveSimulation> simulation);
+    // Records the channels of the default set and those that show motion, until the folder holds as much as it may; then it
+    // fails with what is written complete. Throws io::Error(input_output).
+    Recording(std::string path, std::shared_ptr<const LiveSimulation> simulation, const RecordingQuota& quota = {});
     ~Recording();  // calls `finish`
     Recording(const Recording&) = delete;
     Recording& operator=(const Recording&) = delete;
@@ -39,16 +47,18 @@ public:
     double seconds() const { return seconds_.load(std::memory_order_relaxed); }  // of simulated time
     long lost_rows() const { return lost_.load(std::memory_order_relaxed); }
     bool failed() const { return failed_.load(std::memory_order_acquire); }
-    const std::string& failure() const { return failure_; }  // valid once `failed`
 
 private:
     void write_rows(const std::stop_token& stop);
     void write_pending();
     void write_road() const;
+    bool is_full() const { return (rows_ + 1) * row_bytes_ > room_; }
 
     std::string path_;
     std::shared_ptr<const LiveSimulation> simulation_;
     std::vector<std::size_t> chosen_;  // indices of the recorded channels
+    RecordingQuota quota_;
+    std::uintmax_t room_, row_bytes_, rows_ = 0;  // of the folder for rows, of one [byte]; those written
     std::unique_ptr<io::ResultWriter> writer_;
     RowRing ring_;
     double first_time_ = 0;      // time of the first row [s]
@@ -61,7 +71,7 @@ private:
 };
 
 // Creates an empty file FOLDER/NAME-YYYYMMDD-HHMMSS.nc, with a suffix -2, -3 and so on if that exists, and the folder. Throws
-// io::Error(input_output).
-std::string new_recording_file(const std::string& folder, const std::string& name);
+// io::Error(input_output), also if the folder holds as much as it may.
+std::string new_recording_file(const std::string& folder, const std::string& name, const RecordingQuota& quota = {});
 
 }  // namespace hamilcar::live

@@ -20,11 +20,12 @@ using asio::ip::tcp;
 
 namespace {
 
-constexpr int max_connections = 32;
+// Who has shown no secret yet: the oldest gives way to a newcomer, so that waiting here keeps no client out.
+constexpr std::size_t max_strangers = 128;
 constexpr int send_buffer =
     1 << 17;  // small, so that frames wait in SocketPage, where a newer one replaces them [byte]
 constexpr auto tick_interval = std::chrono::milliseconds(50);
-constexpr int ticks_per_status = 4, ticks_per_line = 1200;
+constexpr int ticks_per_status = 4, ticks_per_second = 20, ticks_per_line = 1200;
 constexpr auto shutdown_timeout = std::chrono::seconds(1);
 
 // A child process, such as the browser, must not inherit the socket: if it outlived the server it would keep the port open.
@@ -51,7 +52,7 @@ public:
         : options_(std::move(options)),
           connections_(session),
           acceptor_(listen(context_, options_.port)),
-          access_(random_token(), acceptor_.local_endpoint().port()),
+          access_(random_secrets(), acceptor_.local_endpoint().port()),
           wake_up_(context_, ::fcntl(session.wake_up().descriptor(), F_DUPFD_CLOEXEC, 0)),
           tick_(context_) {}
 
@@ -74,10 +75,15 @@ private:
         accepting_ = true;
         acceptor_.async_accept([this](beast::error_code error, tcp::socket socket) {
             accepting_ = false;
-            if (error) return;  // for example too many open files: the next tick tries again
-            if (state_.open_connections < max_connections) start_connection(std::move(socket));
+            if (error) return drop_oldest_stranger();  // for example too many open files: the next tick tries again
+            if (state_.strangers.size() >= max_strangers) drop_oldest_stranger();
+            start_connection(std::move(socket));
             accept_next();
         });
+    }
+
+    void drop_oldest_stranger() {
+        if (!state_.strangers.empty()) state_.strangers.front()->drop();
     }
 
     void start_connection(tcp::socket socket) {
@@ -102,6 +108,7 @@ private:
             ++ticks_;
             connections_.send_tiles();
             if (ticks_ % ticks_per_status == 0) connections_.send_status();
+            if (ticks_ % ticks_per_second == 0) connections_.forgive();
             if (ticks_ % ticks_per_line == 0 && options_.log) options_.log(connections_.summary());
             if (!accepting_) accept_next();
             tick_.expires_after(tick_interval);
@@ -138,12 +145,12 @@ std::uint16_t Server::port() const {
     return parts_->port();
 }
 
-const std::string& Server::token() const {
-    return parts_->access().token();
-}
-
 std::string Server::url() const {
     return parts_->access().url();
+}
+
+std::string Server::url_once() const {
+    return parts_->access().url_once();
 }
 
 void Server::run(const std::function<bool()>& stop) {

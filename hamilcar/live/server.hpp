@@ -27,8 +27,8 @@ public:
     ~Server();
 
     std::uint16_t port() const;
-    const std::string& token() const;
-    std::string url() const;  // of the page, with the token
+    std::string url() const;       // that opens the page, for as long as the server runs
+    std::string url_once() const;  // likewise, for one visit
 
     // Serves until `stop` returns true, which is checked about twenty times a second; then closes all connections.
     void run(const std::function<bool()>& stop);

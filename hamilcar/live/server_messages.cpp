@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "hamilcar/base/units.hpp"
+#include "hamilcar/io/column_json.hpp"
 #include "hamilcar/live/course_result.hpp"
 #include "hamilcar/live/messages.hpp"
 
@@ -22,9 +24,11 @@ std::string text_of(const json& message) {
     return message.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-json choices(const std::vector<Choice>& list) {
+json choices(const std::vector<Selectable>& list) {
     json out = json::array();
-    for (const Choice& choice : list) out.push_back({{"id", choice.id}, {"name", choice.name}});
+    for (const Selectable& choice : list) {
+        out.push_back({{"id", choice.id}, {"name", choice.name}, {"course", choice.course}});
+    }
     return out;
 }
 
@@ -48,13 +52,12 @@ double max_full_load_speed(const PowerUnitDescription& unit) {
 json driveline(const LiveSimulation& simulation) {
     const DrivenCar& car = simulation.car();
     if (!car.powered) return nullptr;
-    constexpr double rpm = 30 / std::numbers::pi;  // per rad/s
     json units = json::array();
     for (const PowerUnitDescription& unit : simulation.vehicle().power_units) {
         const auto* engine = std::get_if<EngineDescription>(&unit.source);
         units.push_back({{"name", unit.name},
-                         {"idle", engine ? rpm * engine->idle_speed : 0.0},
-                         {"most", rpm * max_full_load_speed(unit)}});
+                         {"idle", engine ? engine->idle_speed / hamilcar::units::rpm : 0.0},
+                         {"max", max_full_load_speed(unit) / hamilcar::units::rpm}});
     }
     return {{"units", std::move(units)},
             {"gears", car.gears},
@@ -103,17 +106,14 @@ std::string hello_message(std::uint32_t page, const Catalog& catalog) {
 
 std::string car_message(const LiveSimulation& simulation) {
     json channels = json::array();
-    for (const Channel& channel : simulation.channels()) {
-        channels.push_back({{"name", channel.column.name},
-                            {"unit", channel.column.unit},
-                            {"description", channel.column.description}});
-    }
+    for (const Channel& channel : simulation.channels()) channels.push_back(io::column_json(channel.column));
     std::string text = text_of({{"type", "car"},
                                 {"car", simulation.number()},
                                 {"vehicle", simulation.request().vehicle},
                                 {"road", simulation.request().road},
                                 {"friction", simulation.request().friction},
                                 {"steering_lock_deg", simulation.car().lock * 180 / std::numbers::pi},
+                                {"gravity_m_per_s2", simulation.vehicle().gravity},
                                 {"channels", std::move(channels)},
                                 {"driveline", driveline(simulation)},
                                 {"course", course_of(simulation)}});

@@ -5,9 +5,10 @@
 
 namespace hamilcar::live {
 
-Session::Session(Catalog catalog, const LoadRequest& first, std::string recordings_folder)
+Session::Session(Catalog catalog, const LoadRequest& first, std::string recordings_folder, const RecordingQuota& quota)
     : catalog_(std::move(catalog)),
       folder_(std::move(recordings_folder)),
+      quota_(quota),
       simulation_(build(first, cars_)),
       stepper_(simulation_, wake_up_) {}
 
@@ -51,10 +52,8 @@ bool Session::update() {
     }
     for (const auto& completion : completions) completion();
     for (std::shared_ptr<void>& object : stepper_.take_released()) dispose_of(std::move(object));
-    if (recorder_ == RecorderState::running && recording_->failed()) {
-        notices_.push_back({recording_page_, recording_->failure()});
-        recording_wanted_ = false;
-    }
+    const bool failed = recorder_ == RecorderState::running && recording_->failed();
+    if (failed) recording_wanted_ = false;  // why is told when it is closed
     update_recording();
     return std::exchange(changed_, false);
 }
@@ -118,7 +117,7 @@ void Session::open_recording() {
         std::string problem;
         try {
             const std::string vehicle = std::filesystem::path(simulation->request().vehicle).stem().string();
-            recording = std::make_shared<Recording>(new_recording_file(folder_, vehicle), simulation);
+            recording = std::make_shared<Recording>(new_recording_file(folder_, vehicle, quota_), simulation, quota_);
         } catch (const std::exception& error) {
             problem = error.what();
         }

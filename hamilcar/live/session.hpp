@@ -18,16 +18,17 @@
 
 namespace hamilcar::live {
 
-struct Choice {
-    std::string id;    // named in a LoadRequest
-    std::string name;  // shown to the user
+struct Selectable {
+    std::string id;       // named in a LoadRequest
+    std::string name;     // shown to the user
+    bool course = false;  // a road that is a maneuver's course
 };
 
 // The available vehicles and roads. `open` reads the files of a request and may ignore its friction; `course`, which is optional,
 // returns the course of a road for that vehicle, if there is one. Both may be called on any thread, though never concurrently, and
 // throw io::Error.
 struct Catalog {
-    std::vector<Choice> vehicles, roads;
+    std::vector<Selectable> vehicles, roads;
     std::function<std::pair<VehicleDescription, ScenarioDescription>(const LoadRequest&)> open;
     std::function<std::optional<TestCourse>(const std::string& road, const VehicleDescription&)> course = {};
 };
@@ -47,7 +48,7 @@ struct RecordingStatus {
 class Session {
 public:
     // Reads and initializes the first car; throws io::Error. The recordings folder is created with the first recording.
-    Session(Catalog catalog, const LoadRequest& first, std::string recordings_folder);
+    Session(Catalog catalog, const LoadRequest& first, std::string recordings_folder, const RecordingQuota& quota = {});
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
@@ -82,6 +83,7 @@ private:
 
     Catalog catalog_;
     std::string folder_;
+    RecordingQuota quota_;
     WakeUp wake_up_;
     std::uint32_t cars_ = 1;  // requested so far; number of the last one
     std::shared_ptr<LiveSimulation> simulation_;

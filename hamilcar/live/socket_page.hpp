@@ -3,48 +3,49 @@
 
 #include <algorithm>
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/beast/core.hpp>
-#include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 #include <chrono>
 #include <deque>
+#include <list>
 #include <memory>
 #include <set>
 
 #include "hamilcar/live/connections.hpp"
+#include "hamilcar/live/http_request.hpp"
 
 namespace hamilcar::live {
 
-namespace beast = boost::beast;
-using Upgrade = beast::http::request<beast::http::empty_body>;
-
 class SocketPage;
 
-// Shared by all connections; `pages` are those to close on shutdown.
+class HttpConnection;
+
+// Shared by all connections. Who has shown a secret is a client, counted by what it was given; the others are strangers, the
+// oldest first. `pages` are those to close on shutdown.
 struct ServerState {
     Connections& connections;
-    int open_connections = 0;
+    int downloads = 0, links = 0;
+    std::list<HttpConnection*> strangers{};
     std::set<SocketPage*> pages{};
 };
 
-// Counts one connection for as long as it is open.
+// Counts one client for as long as the connection is open.
 class Slot {
 public:
-    explicit Slot(ServerState& state) : state_(&state) { ++state.open_connections; }
-    Slot(Slot&& other) noexcept : state_(std::exchange(other.state_, nullptr)) {}
+    explicit Slot(int& count) : count_(&count) { ++count; }
+    Slot(Slot&& other) noexcept : count_(std::exchange(other.count_, nullptr)) {}
     Slot& operator=(Slot&&) = delete;
     ~Slot() {
-        if (state_) --state_->open_connections;
+        if (count_) --*count_;
     }
-    ServerState& state() const { return *state_; }
 
 private:
-    ServerState* state_;
+    int* count_;
 };
 
 class SocketPage final : public Page, public std::enable_shared_from_this<SocketPage> {
 public:
-    SocketPage(beast::tcp_stream stream, Slot slot) : stream_(std::move(stream)), slot_(std::move(slot)) {}
+    SocketPage(beast::tcp_stream stream, ServerState& state)
+        : stream_(std::move(stream)), state_(state), slot_(state.links) {}
 
     void accept(Upgrade request) {
         constexpr auto handshake_timeout = std::chrono::seconds(5), idle_timeout = std::chrono::seconds(30);
@@ -77,8 +78,8 @@ private:
     };
 
     void start() {
-        slot_.state().pages.insert(this);
-        number_ = slot_.state().connections.add(*this);
+        state_.pages.insert(this);
+        number_ = state_.connections.add(*this);
         read();
     }
 
@@ -87,16 +88,15 @@ private:
             if (error) return self->end();
             const std::string text = beast::buffers_to_string(self->buffer_.data());
             self->buffer_.consume(self->buffer_.size());
-            if (!self->closing_)
-                self->slot_.state().connections.receive(self->number_, self->stream_.got_text() ? text : "");
+            if (!self->closing_) self->state_.connections.receive(self->number_, self->stream_.got_text() ? text : "");
             self->read();
         });
     }
 
     void end() {
         closing_ = true;
-        slot_.state().pages.erase(this);
-        slot_.state().connections.remove(number_);
+        state_.pages.erase(this);
+        state_.connections.remove(number_);
         stream_.next_layer().close();
     }
 
@@ -131,6 +131,7 @@ private:
     }
 
     beast::websocket::stream<beast::tcp_stream> stream_;
+    ServerState& state_;
     Slot slot_;
     Upgrade request_;
     beast::flat_buffer buffer_;

@@ -119,7 +119,7 @@ void Stepper::release(std::shared_ptr<void> object) {
 
 void Stepper::step() {
     if (std::exchange(idle_, false)) pacer_.restart(now());
-    sleep_until(pacer_.deadline());
+    sleep_until(pacer_.wake_time(now()));
     pacer_.begin(now());
     received_.fetch();
     end_ = simulation_->advance(received_.value());

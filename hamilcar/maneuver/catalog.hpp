@@ -21,6 +21,8 @@ Maneuver double_lane_change();
 Maneuver obstacle_avoidance();
 // ISO 7975.
 Maneuver braking_in_turn();
+// ISO 9816.
+Maneuver power_off_in_turn();
 // FMVSS 126 / UN R140, and NHTSA's fishhook.
 Maneuver sine_with_dwell();
 Maneuver fishhook();

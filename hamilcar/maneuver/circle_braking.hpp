@@ -1,49 +1,51 @@
-// One run of braking in a turn: a steady circle, and what becomes of it while the pedal is held and the steering wheel too.
+// From a steady circle with the steering wheel held: what becomes of it when the throttle is released (ISO 9816) or the brake's
+// pedal pressed as well (ISO 7975).
 #pragma once
 
-#include <limits>
-
-#include "hamilcar/maneuver/runs.hpp"
+#include "hamilcar/maneuver/scenarios.hpp"
 
 namespace hamilcar::circle_braking {
 
 inline constexpr double settling = 10;  // on the circle before the pedal is pressed [s]
 inline constexpr double observed = 1;   // after it, where ISO 7975 takes its values [s]
-inline constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
-// To the left about (0, radius), from the origin on [m].
-std::vector<std::array<double, 2>> circle(double radius);
+// The settings "radius" and "lateral_acceleration", with defaults that the vehicle bears.
+std::vector<Setting> circle_settings(const VehicleDescription& vehicle, double default_acceleration);
 
-// A driver leads the vehicle round and holds its speed [m/s] until it has settled.
-ScenarioDescription on_circle(const VehicleDescription& vehicle, const ManeuverOptions& options, double radius,
-                              double speed);
+// A driver leads the vehicle round and holds its speed until it has settled.
+ScenarioDescription on_circle(const TestRun& test);
+// Drives that and takes it; a note where radius or lateral acceleration are off. Nothing, and the maneuver has failed, where the
+// circle was not reached.
+std::optional<Recording> settle(TestRun& test, double share);
 
 // The same with the steering wheel as it was then, held from `settling` on, the foot off the throttle and the brake's pedal
 // at `pedal` [1].
-ScenarioDescription braking(const ScenarioDescription& steady, const History& settled, double speed, double pedal);
+ScenarioDescription braking(const TestRun& test, const Recording& settled, double pedal);
 
-// What ISO 7975 evaluates, at one second after the beginning of braking; NaN where the vehicle stood or fell before. The
+// What both standards evaluate, some time after the beginning [s], by default a second; NaN where the vehicle stood or fell before. The
 // reference is the vehicle that stays on its circle: yaw rate v / R and lateral acceleration v^2 / R of its present speed.
 struct Run {
-    double pedal = 0;                           // [1]
-    double deceleration = nowhere;              // mean over the second [m/s^2]
-    double yaw_rate_ratio = nowhere;            // to the reference [1]
-    double acceleration_ratio = nowhere;        // lateral, to the reference [1]
-    double deviation = nowhere;                 // of the center of mass from the circle, inward positive [m]
-    double sideslip_change = nowhere;           // [rad]
-    double largest_sideslip_change = nowhere;   // in magnitude, until the vehicle is slow [rad]
-    double largest_yaw_acceleration = nowhere;  // in magnitude within the second [rad/s^2]
-    int locked = 0;                             // wheels that locked within the second
+    double deceleration = not_shown;              // mean until then [m/s^2]
+    double yaw_rate_ratio = not_shown;            // to the reference [1]
+    double acceleration_ratio = not_shown;        // lateral, to the reference [1]
+    double deviation = not_shown;                 // of the center of mass from the circle, inward positive [m]
+    double sideslip_change = not_shown;           // [deg]
+    double largest_sideslip_change = not_shown;   // in magnitude, until the vehicle is slow [deg]
+    double largest_yaw_acceleration = not_shown;  // in magnitude until then [deg/s^2]
+    int locked = 0;                               // wheels that locked until then
 };
-Run evaluated(const History& history);
+Run evaluated(const Recording& recording, const std::vector<std::string>& wheels, double after = observed);
 
-// Yaw rate of the reference over time [rad/s].
-std::vector<double> reference_yaw_rate(const History& history);
+// Yaw rates over time after the beginning, and paths, of drives by their labels, beside the circle.
+using Drives = std::vector<std::pair<std::string, const Recording*>>;
+void add_time_charts(TestRun& test, const std::string& while_what, const Drives& drives);
 
-// Of the steady part: speed [m/s], radius [m], and how much the yaw rate changes over its last second [1].
+// Of the steady part: speed [m/s], radius [m], how much the yaw rate changes over its last second [1], steering wheel [deg].
 struct Steady {
     double speed, radius, unrest, steering_wheel;
+    double lateral_acceleration() const { return speed * speed / radius; }  // [m/s^2]
 };
-Steady steady(const History& history);
+Steady steady(const Recording& recording);
+void add_steady_figures(TestRun& test, const Steady& steady);
 
 }  // namespace hamilcar::circle_braking

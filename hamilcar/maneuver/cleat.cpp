@@ -1,10 +1,7 @@
 // Over a single cleat, all wheels of an axle at once: how hard it knocks on the seat and on the wheels, and how long the
 // vehicle goes on swinging.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "hamilcar/maneuver/catalog.hpp"
 #include "hamilcar/maneuver/ride.hpp"
@@ -16,7 +13,6 @@ namespace {
 constexpr double approach = 1.5;  // driven before the first wheel comes to the cleat [s]
 constexpr double swinging = 3;    // watched after the last one [s]
 constexpr double counted = 2;     // from the first contact on, that r.m.s. values are taken over [s]
-constexpr double millimeter = 1e-3;
 
 std::vector<Setting> settings(const VehicleDescription&) {
     return {
@@ -27,126 +23,99 @@ std::vector<Setting> settings(const VehicleDescription&) {
     };
 }
 
-std::string obstacle(const VehicleDescription&) {
-    return "";
-}
-
 // Where the cleat begins [m].
-double cleat_start(double speed, const std::vector<straight::Axle>& axles) {
+double cleat_start(double speed, const std::vector<Axle>& axles) {
     return approach * speed + axles.front().x;
 }
 
 // A ramp is over in no time: several steps on it, each a whole part of a millisecond, so that rows fall on steps [s].
-double step_for(const Settings& chosen, double step) {
-    constexpr double steps = 8;
-    const double ramp = std::min(chosen.at("ramp"), chosen.at("length") / 2) * millimeter;
-    const double wanted = ramp / (chosen.at("speed") * kilometer_per_hour) / steps;
-    constexpr double interval = 1e-3, finest = 10;  // [s]; parts of it
+double step_for(const TestRun& test, double step) {
+    constexpr double steps = 8, interval = 1e-3, finest = 10;  // on the ramp; [s]; parts of it
+    const double wanted = std::min(test["ramp"], test["length"] / 2) / test["speed"] / steps;
     return std::min(step, interval / std::clamp(std::ceil(interval / wanted), 1.0, finest));
 }
 
-ScenarioDescription over_the_cleat(const VehicleDescription& vehicle, const Settings& chosen,
-                                   const ManeuverOptions& options, const std::vector<straight::Axle>& axles) {
-    const double speed = chosen.at("speed") * kilometer_per_hour;
-    const double crossing = (axles.front().x - axles.back().x) / speed;
-    ScenarioDescription scenario =
-        driving_at(vehicle, ride::with_fine_step(options), speed, approach + crossing + swinging);
-    scenario.name = "cleat";
-    scenario.solver.step = step_for(chosen, scenario.solver.step);
+ScenarioDescription over_the_cleat(const TestRun& test, const std::vector<Axle>& axles) {
+    const double speed = test["speed"], crossing = (axles.front().x - axles.back().x) / speed;
+    ScenarioDescription scenario = driving_at(test, speed, approach + crossing + swinging);
+    scenario.solver.step = step_for(test, std::min(scenario.solver.step, ride::max_step));
     ObstacleDescription cleat;
     cleat.start = cleat_start(speed, axles);
-    cleat.length = chosen.at("length") * millimeter;
-    cleat.height = chosen.at("height") * millimeter;
-    cleat.ramp = std::min(chosen.at("ramp") * millimeter, cleat.length / 2);
+    cleat.length = test["length"];
+    cleat.height = test["height"];
+    cleat.ramp = std::min(test["ramp"], cleat.length / 2);
     scenario.road.obstacles.push_back(cleat);
     return scenario;
 }
 
 // When an axle's wheels stand above a place [s].
-double passing(const History& history, const straight::Axle& axle, double x) {
-    const auto at =
-        first_crossing(straight::series(history, history.wheel_x[axle.wheels.front()]), x, Crossing::rising);
-    return at.value_or(std::numeric_limits<double>::quiet_NaN());
+double passing(const Recording& recording, const Axle& axle, double x) {
+    return first_crossing(recording[channel::contact_x(axle.wheels.front())], x, Crossing::rising).value_or(not_shown);
 }
 
 // After `from`: how long until the seat keeps within a tenth of the largest knock.
-double decay(const History& history, double level, double from) {
+double decay(const Series& seat, double level, double from) {
     constexpr double small = 0.1;
-    double largest = 0, last = from;
-    for (const double a : history.seat_z) largest = std::max(largest, std::abs(a - level));
-    for (std::size_t i = row_at(history, from); i < history.size(); ++i) {
-        if (std::abs(history.seat_z[i] - level) > small * largest) last = history.time[i];
+    const std::vector<double> knock = shifted(seat.values, -level);
+    const double largest = largest_magnitude(knock);
+    double last = from;
+    for (std::size_t i = sample_at(seat, from); i < knock.size(); ++i) {
+        if (std::abs(knock[i]) > small * largest) last = seat.time(i);
     }
     return last - from;
 }
 
-void add_load_figures(Outcome& outcome, const History& history, const std::vector<straight::Axle>& axles,
-                      double first) {
+void add_load_figures(TestRun& test, const Recording& recording, const std::vector<Axle>& axles, double first) {
     constexpr double before = 0.5;     // of smooth road, that stands for rest [s]
     const double clear = first - 0.1;  // ahead of the tires' patch [s]
-    for (const straight::Axle& axle : axles) {
-        const double rest = ride::loads(history, axle, clear - before, clear).mean;
-        const ride::Loads loads = ride::loads(history, axle, clear, history.time.back());
-        outcome.figures.push_back(
-            {"largest load of " + axle.name, "%", "of a wheel, of its load before", 100 * loads.most / rest});
-        outcome.figures.push_back(
-            {"least load of " + axle.name, "%", "likewise; 0: it leaves the road", 100 * loads.least / rest});
+    for (const Axle& axle : axles) {
+        const double rest = ride::loads(recording, axle, clear - before, clear).mean;
+        const ride::Loads loads = ride::loads(recording, axle, clear, recording.end());
+        test.figure("largest load of " + axle.name, "%", 100 * loads.max / rest, "of a wheel, of its load before");
+        test.figure("least load of " + axle.name, "%", 100 * loads.min / rest, "likewise; 0: it leaves the road");
     }
 }
 
-void add_charts(Outcome& outcome, const History& history, const std::vector<straight::Axle>& axles, double first) {
-    constexpr std::size_t detailed = 4000;  // rows of a diagram: knocks are short
-    const auto thinned = [](const std::vector<double>& values) { return straight::thinned(values, detailed); };
-    std::vector<double> time(history.time);
-    for (double& t : time) t -= first;
-    io::Chart seat{"Acceleration on the seat", "time from the first contact [s]", "acceleration [m/s^2]", {}};
-    seat.curves.push_back({"vertical", thinned(time), thinned(history.seat_z)});
-    seat.curves.push_back({"longitudinal", thinned(time), thinned(history.seat_x)});
-    io::Chart load{"Wheel loads", "time from the first contact [s]", "load [N]", {}};
-    for (const straight::Axle& axle : axles) {
-        load.curves.push_back({axle.name, thinned(time), thinned(history.wheel_load[axle.wheels.front()])});
+void add_charts(TestRun& test, const Recording& recording, const std::vector<Axle>& axles, double first) {
+    const std::string from_contact = "time from the first contact [s]";
+    test.chart("Acceleration on the seat", from_contact, "acceleration [m/s^2]",
+               {over_time(recording, "vertical", channel::seat_z, 1, first),
+                over_time(recording, "longitudinal", channel::seat_x, 1, first)});
+    io::Chart& load = test.chart("Wheel loads", from_contact, "load [N]");
+    for (const Axle& axle : axles) {
+        load.curves.push_back(over_time(recording, axle.name, channel::wheel_load(axle.wheels.front()), 1, first));
     }
-    io::Chart pitch{"Pitch",
-                    "time from the first contact [s]",
-                    "angle [deg]",
-                    {{"", thinned(time), thinned(straight::scaled(history.pitch, 1 / degree))}}};
-    for (auto* chart : {&seat, &load, &pitch}) outcome.charts.push_back(std::move(*chart));
+    test.chart("Pitch", from_contact, "angle [deg]", {over_time(recording, "", channel::pitch, 1, first)});
 }
 
-void add_seat_figures(Outcome& outcome, const History& history, double first, double last) {
-    const double level = straight::mean(ride::between(history, history.seat_z, 0, first - 0.1));
-    const Series z = straight::series(history, history.seat_z), x = straight::series(history, history.seat_x);
-    const auto up = peak(z, Extreme::highest, first - 0.1), down = peak(z, Extreme::lowest, first - 0.1);
-    const auto ahead = peak(x, Extreme::largest, first - 0.1);
-    outcome.figures.push_back(
-        {"peak acceleration upward", "m/s^2", "on the seat, not filtered", up ? up->value - level : 0});
-    outcome.figures.push_back({"peak acceleration downward", "m/s^2", "likewise", down ? level - down->value : 0});
-    outcome.figures.push_back(
-        {"peak acceleration along x", "m/s^2", "likewise, with its sign", ahead ? ahead->value : 0});
-    ride::add_figures(outcome, ride::felt(history, first - 0.1, std::min(first + counted, history.time.back())));
-    outcome.figures.push_back({"decay", "s",
-                               "from the last contact until the seat keeps within a tenth of the largest value",
-                               decay(history, level, last)});
+void add_seat_figures(TestRun& test, const Recording& recording, double first, double last) {
+    const Series z = recording[channel::seat_z], x = recording[channel::seat_x];
+    const double clear = first - 0.1, level = mean(ride::within(z, 0, clear));
+    const auto up = peak(z, Extreme::highest, clear), down = peak(z, Extreme::lowest, clear);
+    const auto ahead = peak(x, Extreme::largest, clear);
+    test.figure("peak acceleration upward", "m/s^2", up ? up->value - level : 0, "on the seat, not filtered");
+    test.figure("peak acceleration downward", "m/s^2", down ? level - down->value : 0, "likewise");
+    test.figure("peak acceleration along x", "m/s^2", ahead ? ahead->value : 0, "likewise, with its sign");
+    ride::add_figures(test, ride::felt(recording, clear, std::min(first + counted, recording.end())));
+    test.figure("decay", "s", decay(z, level, last),
+                "from the last contact until the seat keeps within a tenth of the largest value");
 }
 
-Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, const ManeuverOptions& options) {
-    Outcome outcome;
-    const std::vector<straight::Axle> axles = straight::axles(vehicle);
-    const ScenarioDescription scenario = over_the_cleat(vehicle, chosen, options, axles);
-    Trial trial = drive(vehicle, scenario, ride::trial_options(options));
-    ride::thin_out(trial.film, trial.history);
-    const bool whole = take_whole(outcome, trial);
+void run(TestRun& test) {
+    const std::vector<Axle> all = axles(test.vehicle);
+    const ScenarioDescription scenario = over_the_cleat(test, all);
+    Drive drive = test.drive(scenario, ride::drive_options);
+    const bool whole = test.take_whole(drive);
     const double start = scenario.road.obstacles.back().start;
-    const double first = passing(trial.history, axles.front(), start);
-    const double last = passing(trial.history, axles.back(), start);
+    const double first = passing(drive.recording, all.front(), start);
+    const double last = passing(drive.recording, all.back(), start);
     if (std::isnan(first) || std::isnan(last)) {
-        if (whole) outcome.failed = "it did not come over the cleat";
-        return outcome;
+        if (whole) test.fail("it did not come over the cleat");
+        return;
     }
-    add_seat_figures(outcome, trial.history, first, last);
-    add_load_figures(outcome, trial.history, axles, first);
-    add_charts(outcome, trial.history, axles, first);
-    return outcome;
+    add_seat_figures(test, drive.recording, first, last);
+    add_load_figures(test, drive.recording, all, first);
+    add_charts(test, drive.recording, all, first);
 }
 
 }  // namespace
@@ -158,9 +127,7 @@ Maneuver cleat() {
             .summary =
                 "All wheels over a single cleat at a steady speed: knocks on seat and wheels, and how they die away.",
             .settings = settings,
-            .obstacle = obstacle,
-            .drive = drive_it,
-            .course = [](const VehicleDescription&, const Settings&) { return Course{}; }};
+            .run = run};
 }
 
 }  // namespace hamilcar

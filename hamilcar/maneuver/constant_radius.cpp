@@ -1,13 +1,11 @@
 // ISO 4138, constant radius: round one circle faster and faster, in steps of lateral acceleration with a rest on each, until
 // the driver cannot hold the circle or the speed any more.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "hamilcar/maneuver/catalog.hpp"
+#include "hamilcar/maneuver/search.hpp"
 #include "hamilcar/maneuver/steady_turn.hpp"
 
 namespace hamilcar {
@@ -19,199 +17,143 @@ constexpr double brisk = 1;              // likewise, far from the limit [m/s^2]
 constexpr double shortest_ramp = 2;      // [s]
 constexpr double resolution = 0.02;      // of the largest lateral acceleration [m/s^2]
 constexpr double share_of_stairs = 0.5;  // of the progress
-constexpr double window = 1;             // of a mean at the end of a rest [s]
 constexpr double off_circle = 0.5;       // ISO 4138's tolerance [m]
 constexpr double lost = 2;               // off the circle: the driver gives up [m]
-constexpr double slow_share = 0.97;      // of the wanted speed; below it a rest is none: ISO 4138's 3 percent
 constexpr double other_circle = 0.02;    // share of the curvature: a state so far off is not steady
 constexpr double interval = 0.02;        // between rows [s]
-constexpr double fallen = 30 * degree;   // roll
+constexpr int circle_points = 180;
 
 std::vector<Setting> settings(const VehicleDescription& vehicle) {
     const bool heavy = is_heavy(vehicle);
     return {{"radius", "m", "of the circle of the center of mass", 100, 20, 1000},
             {"step", "m/s^2", "of lateral acceleration from one rest to the next, beyond the small ones",
              heavy ? 0.2 : 0.5, 0.05, 2},
-            {"rest", "s", "at each speed; its last second counts", 6, 2, 30},
+            rest_setting(),
             {"largest_lateral_acceleration", "m/s^2", "up to which it is tried", heavy ? 6.0 : 14.0, 1, 60},
-            {"small_lateral_acceleration", "m/s^2", "up to which gradients are fitted", heavy ? 1.0 : 3.0, 0.3, 10}};
+            small_setting(vehicle)};
 }
 
-PathDescription circle(double radius) {
-    constexpr int points = 180;  // a spline through so many leaves its circle by less than a micrometer
-    PathDescription path{.points = {}, .closed = true};
-    for (int i = 0; i < points; ++i) {
-        const double angle = 2 * std::numbers::pi * i / points;
-        path.points.push_back({radius * std::sin(angle), radius - radius * std::cos(angle)});
-    }
-    return path;
-}
-
-struct Plan {
-    std::vector<double> speeds;
-    Stairs stairs;
-    double begun;  // when the driver has found the circle, and a trailer its angle: a quarter of it [s]
-};
 // Rests on these lateral accelerations [m/s^2], the way to the last one gentle, to the others at a rate of `rate` [m/s^2].
-Plan plan(const std::vector<double>& accelerations, double rate, const Settings& chosen) {
-    Plan out;
-    const double radius = chosen.at("radius");
-    for (const double a : accelerations) out.speeds.push_back(std::sqrt(radius * a));
-    const auto ramp = [&](std::size_t i) {
-        const bool last = i + 2 == out.speeds.size();
-        return std::max(shortest_ramp, (out.speeds[i + 1] - out.speeds[i]) / (last ? gentle : rate));
-    };
-    out.stairs = stairs(out.speeds, ramp, chosen.at("rest"));
-    out.begun = std::numbers::pi / 2 * radius / out.speeds.front();
-    delay(out.stairs, out.begun);
-    return out;
+Stairs plan(const std::vector<double>& accelerations, double rate, const TestRun& test) {
+    return stairs(accelerations, test["radius"], test["rest"], 0, [&](const std::vector<double>& v, std::size_t i) {
+        const bool last = i + 2 == v.size();
+        return std::max(shortest_ramp, (v[i + 1] - v[i]) / (last ? gentle : rate));
+    });
 }
 
 // As many small ones as the gradients are fitted to, whatever the step beyond: so that these do not depend on it.
-std::vector<double> levels(const Settings& chosen) {
+std::vector<double> levels(const TestRun& test) {
     constexpr int small_ones = 12;
-    const double most = chosen.at("largest_lateral_acceleration") * (1 + 1e-9);
-    const double small = chosen.at("small_lateral_acceleration");
+    const double limit = test["largest_lateral_acceleration"] * (1 + 1e-9), small = test["small_lateral_acceleration"];
     std::vector<double> out;
-    for (int i = 1; i <= small_ones && i * small / small_ones <= most; ++i) out.push_back(i * small / small_ones);
-    for (double a = small + chosen.at("step"); a <= most; a += chosen.at("step")) out.push_back(a);
+    for (int i = 1; i <= small_ones && i * small / small_ones <= limit; ++i) out.push_back(i * small / small_ones);
+    for (double a = small + test["step"]; a <= limit; a += test["step"]) out.push_back(a);
     return out;
 }
 
-ScenarioDescription round_the_circle(const VehicleDescription& vehicle, const Settings& chosen,
-                                     const ManeuverOptions& options, const Plan& planned) {
-    const double radius = chosen.at("radius"), first = planned.speeds.front();
-    ScenarioDescription scenario = driving_at(vehicle, options, first, planned.stairs.rests.back() + interval);
-    scenario.name = "constant_radius";
-    const double ahead = vehicle.chassis.center_of_mass[0];
-    scenario.initial.position = {-ahead, 0};
-    scenario.initial.angular_velocity = {0, 0, first / radius};
-    scenario.driver.steering.emplace();
-    scenario.driver.steering->path = circle(radius);
-    scenario.driver.speed->speed = planned.stairs.signal;
-    if (scenario.driver.shifting) scenario.driver.shifting->gear = steady_gear(vehicle, radius);
-    scenario.driver.ending = {.path_offset = lost, .roll = fallen, .earliest = planned.begun};
+ScenarioDescription round_the_circle(const TestRun& test, const Stairs& planned) {
+    const double radius = test["radius"];
+    ScenarioDescription scenario = climbing(test, planned, radius);
+    scenario.duration += interval;
+    scenario.initial.position = {-test.vehicle.chassis.center_of_mass[0], 0};
+    scenario.initial.angular_velocity = {0, 0, planned.speeds.front() / radius};
+    scenario.driver.steering =
+        PathFollowerDescription{.path = {.points = circle(radius, circle_points), .closed = true}};
+    scenario.driver.ending.path_offset = lost, scenario.driver.ending.earliest = planned.begun;
     return scenario;
 }
 
-double off(const History& history, double radius, std::size_t row) {
-    return std::abs(std::hypot(history.x[row], history.y[row] - radius) - radius);
-}
-
-std::vector<SteadyTurn> rests_of(const History& history, const Plan& planned, double radius) {
-    std::vector<SteadyTurn> out;
-    for (std::size_t i = 0; i < planned.speeds.size() && planned.stairs.rests[i] <= history.time.back(); ++i) {
-        const double end = planned.stairs.rests[i];
-        const SteadyTurn rest = steady_turn(history, end - window, end);
-        if (rest.speed < slow_share * planned.speeds[i] || off(history, radius, row_at(history, end)) > off_circle)
-            break;
-        if (std::abs(rest.curvature() * radius - 1) <= other_circle) out.push_back(rest);
-    }
+// Distance from the circle of every row [m].
+std::vector<double> off(const Recording& recording, double radius) {
+    const auto x = recording[channel::x].values, y = recording[channel::y].values;
+    std::vector<double> out;
+    for (std::size_t i = 0; i < x.size(); ++i) out.push_back(std::abs(std::hypot(x[i], y[i] - radius) - radius));
     return out;
 }
 
-Verdict held(const History& history, const Plan& planned, double radius, double small) {
+std::vector<SteadyTurn> rests_on_circle(const Recording& recording, const Stairs& planned, double radius) {
+    const std::vector<double> offset = off(recording, radius);
+    const Series x = recording[channel::x];
+    std::vector<SteadyTurn> out = rests_of(
+        recording, planned, [&](const SteadyTurn&, double end) { return offset[sample_at(x, end)] > off_circle; });
+    std::erase_if(out,
+                  [&](const SteadyTurn& rest) { return !(std::abs(rest.curvature() * radius - 1) <= other_circle); });
+    return out;
+}
+
+void judge_circle(TestRun& test, const Recording& recording, const Stairs& planned) {
+    const double radius = test["radius"], small = test["small_lateral_acceleration"];
+    const Series speed = recording[channel::speed];
+    const std::vector<double> offset = off(recording, radius);
     double farthest = 0, reached = 0;
-    for (std::size_t i = row_at(history, planned.begun); i < history.size() && reached <= small; ++i) {
-        farthest = std::max(farthest, off(history, radius, i));
-        reached = std::max(reached, history.speed[i] * history.speed[i] / radius);
+    for (std::size_t i = sample_at(speed, planned.begun); i < recording.size() && reached <= small; ++i) {
+        farthest = std::max(farthest, offset[i]);
+        reached = std::max(reached, speed.values[i] * speed.values[i] / radius);
     }
     const double wanted = std::min(small, planned.speeds.back() * planned.speeds.back() / radius);
-    const bool there = reached >= slow_share * slow_share * wanted;
-    return {fmt::format("within {:.1f} m of the circle up to {:g} m/s^2", off_circle, wanted),
-            there && farthest <= off_circle,
-            there ? fmt::format("{:.2f} m", farthest)
-                  : fmt::format("not reached: {:.2f} m up to {:.2f} m/s^2", farthest, reached)};
+    const bool there = reached >= steady_speed_share * steady_speed_share * wanted;
+    test.verdict(fmt::format("within {:.1f} m of the circle up to {:g} m/s^2", off_circle, wanted),
+                 there && farthest <= off_circle,
+                 there ? fmt::format("{:.2f} m", farthest)
+                       : fmt::format("not reached: {:.2f} m up to {:.2f} m/s^2", farthest, reached));
+}
+
+// Of a drive that comes gently to the last speed: what is held there, as measured [m/s^2], or nothing.
+std::optional<double> held_at_end(const Drive& drive, const Stairs& planned, double radius) {
+    const Recording& recording = drive.recording;
+    if (drive.stopped != Stopped::no || drive.ended) return {};
+    const std::vector<SteadyTurn> rests = rests_on_circle(recording, planned, radius);
+    if (rests.size() < planned.speeds.size() || !rests.back().settled()) return {};
+    const std::vector<double> offset = off(recording, radius);
+    const std::size_t last = sample_at(recording[channel::x], recording.end() - steady_window);
+    if (std::ranges::any_of(std::span(offset).subspan(last), [](double here) { return here > off_circle; })) return {};
+    return std::min(rests.back().lateral_acceleration(), rests.back().acceleration);
 }
 
 // The largest lateral acceleration that is held, sought by drives that each come to theirs in the same way, whatever was driven
-// before: so it is of the vehicle, and not of the steps.
-class Limit {
-public:
-    Limit(const VehicleDescription& vehicle, const Settings& chosen, const ManeuverOptions& options, Outcome& outcome)
-        : vehicle_(vehicle),
-          chosen_(chosen),
-          options_(options),
-          outcome_(outcome),
-          most_(static_cast<long>(chosen.at("largest_lateral_acceleration") / resolution + 1e-9)) {}
-
-    // From one that was held on the way up; NaN where none is or a drive broke off [m/s^2].
-    double find(double held_before) {
-        const long start = std::clamp(std::lround(held_before / resolution), 1L, most_);
-        long low = 0, high = most_ + 1, width = first_width;
-        if (holds(start)) {
-            low = start;
-            for (; low < most_ && high > most_; width *= 2) {
-                const long next = std::min(low + width, most_);
-                (holds(next) ? low : high) = next;
-            }
-        } else {
-            high = start;
-            for (; high > 1 && low == 0; width *= 2) {
-                const long next = std::max(high - width, 1L);
-                (holds(next) ? low : high) = next;
-            }
-        }
-        while (high - low > 1 && !outcome_.failed) {
-            const long middle = (low + high) / 2;
-            (holds(middle) ? low : high) = middle;
-        }
-        return outcome_.failed || low == 0 ? std::numeric_limits<double>::quiet_NaN() : held_.at(low);
-    }
-
-private:
-    static constexpr long first_width = 8;  // of the bracket, in steps of the resolution
-
-    bool holds(long level) {
-        if (outcome_.failed) return false;
+// before: so it is of the vehicle, and not of the steps. From one that was held on the way up; NaN where none is or a drive
+// broke off [m/s^2]. Levels are in steps of the resolution.
+double largest_held(TestRun& test, double held_before) {
+    const double most = std::floor(test["largest_lateral_acceleration"] / resolution + 1e-9), radius = test["radius"];
+    int tried = 0;
+    double width = 8;               // of the next step outward
+    std::map<double, double> held;  // as measured [m/s^2]
+    const auto next = [&](const Bracket& now) -> std::optional<double> {
+        if (tried == 0) return std::clamp(std::round(held_before / resolution), 1.0, most);
+        if (now.low > 0 && now.high <= most) return std::floor(now.middle());
+        const double level = now.low > 0 ? std::min(now.low + width, most) : std::max(now.high - width, 1.0);
+        width *= 2;
+        return level;
+    };
+    const auto holds = [&](double level) -> std::optional<bool> {
         constexpr double calm = 0.5, near = 0.9;  // of what is tried: where it starts, and from where it goes gently
-        const double a = static_cast<double>(level) * resolution, radius = chosen_.at("radius");
-        const Plan planned = plan({calm * a, near * a, a}, brisk, chosen_);
-        const double from = 1 - (1 - share_of_stairs) * std::pow(0.8, tried_++), to = 0.2 + 0.8 * from;
-        ManeuverOptions unseen = options_;
-        unseen.keep_runs = false;
-        const Trial trial =
-            drive_share(vehicle_, round_the_circle(vehicle_, chosen_, options_, planned), unseen, interval, {from, to});
-        if (!add_search_trial(outcome_, trial) || trial.stopped != Stopped::no || trial.ended) return false;
-        const std::vector<SteadyTurn> rests = rests_of(trial.history, planned, radius);
-        if (rests.size() < planned.speeds.size() || !rests.back().settled()) return false;
-        for (std::size_t i = row_at(trial.history, trial.history.time.back() - window); i < trial.history.size(); ++i) {
-            if (off(trial.history, radius, i) > off_circle) return false;
-        }
-        held_[level] = std::min(rests.back().lateral_acceleration(), rests.back().acceleration);
-        return true;
-    }
+        const double a = level * resolution;
+        const Stairs planned = plan({calm * a, near * a, a}, brisk, test);
+        const double from = 1 - (1 - share_of_stairs) * std::pow(0.8, tried++), to = 0.2 + 0.8 * from;
+        const Drive drive =
+            test.drive(round_the_circle(test, planned), {.interval = interval, .share = {from, to}, .replay = false});
+        if (!test.take_energy(drive)) return {};
+        const auto reached = held_at_end(drive, planned, radius);
+        if (reached) held[level] = *reached;
+        return reached.has_value();
+    };
+    Bracket found{0, most + 1};  // beyond what is tried
+    narrow(found, 1, next, holds);
+    return test.outcome.failed || found.low == 0 ? not_shown : held.at(found.low);
+}
 
-    const VehicleDescription& vehicle_;
-    const Settings& chosen_;
-    const ManeuverOptions& options_;
-    Outcome& outcome_;
-    long most_;
-    int tried_ = 0;
-    std::map<long, double> held_;  // as measured [m/s^2]
-};
-
-Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, const ManeuverOptions& options) {
-    Outcome outcome;
-    const double radius = chosen.at("radius"), small = chosen.at("small_lateral_acceleration");
-    const Plan planned = plan(levels(chosen), gentle, chosen);
-    Trial trial = drive_share(vehicle, round_the_circle(vehicle, chosen, options, planned), options, interval,
-                              {0, share_of_stairs});
-    const std::vector<SteadyTurn> rests = rests_of(trial.history, planned, radius);
-    evaluate({.geometry = turning_geometry(vehicle),
-              .small = small,
-              .fixed_wheel = false,
-              .half_width = 1.2 * chosen.at("step")},
-             rests, outcome);
-    outcome.verdicts.push_back(held(trial.history, planned, radius, small));
-    outcome.course.line = circle(radius).points;
-    finish_steady(outcome, std::move(trial), rests.size());
-    if (rests.empty() || outcome.failed) return outcome;
-    const double largest = Limit(vehicle, chosen, options, outcome).find(rests.back().lateral_acceleration());
-    outcome.figures.push_back(
-        {"largest lateral acceleration", "m/s^2",
-         fmt::format("that was held on the circle, steadily for a second; sought to {:g} m/s^2", resolution), largest});
-    return outcome;
+void run(TestRun& test) {
+    const Stairs planned = plan(levels(test), gentle, test);
+    Drive drive = test.drive(round_the_circle(test, planned), {.interval = interval, .share = {0, share_of_stairs}});
+    const std::vector<SteadyTurn> rests = rests_on_circle(drive.recording, planned, test["radius"]);
+    evaluate(test, rests, 1.2 * test["step"]);
+    judge_circle(test, drive.recording, planned);
+    test.outcome.course.line = circle(test["radius"], circle_points);
+    finish_steady(test, drive, rests.size());
+    if (rests.empty() || test.outcome.failed) return;
+    const double largest = largest_held(test, rests.back().lateral_acceleration());
+    test.figure("largest lateral acceleration", "m/s^2", largest,
+                fmt::format("that was held on the circle, steadily for a second; sought to {:g} m/s^2", resolution));
 }
 
 }  // namespace
@@ -223,10 +165,10 @@ Maneuver constant_radius() {
         .standard = "ISO 4138",
         .summary = "The driver follows a circle and goes faster in steps until the vehicle cannot hold it any more.",
         .settings = settings,
-        .obstacle = needs_steering_and_drive,
-        .drive = drive_it,
-        .course = [](const VehicleDescription&, const Settings& chosen) {
-            return Course{.cones = {}, .boundaries = {}, .line = circle(chosen.at("radius")).points};
+        .unsupported_reason = needs_steering_and_drive,
+        .run = run,
+        .course = [](const auto&, const Settings& chosen) {
+            return Course{.line = circle(chosen.at("radius"), circle_points)};
         }};
 }
 

@@ -23,7 +23,7 @@ LaneChange lane_change(const VehicleDescription& vehicle) {
 
 std::vector<Setting> settings(const VehicleDescription& vehicle) {
     constexpr double standard = 80, asked = 7;  // [km/h], [m/s^2]
-    return lane_change_settings(usual_entry_speed(vehicle, standard, asked), false);
+    return lane_change_settings(default_entry_speed(vehicle, standard, asked), false);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // One run of the fishhook, and how near it came to tipping over.
 #pragma once
 
-#include "hamilcar/maneuver/runs.hpp"
+#include "hamilcar/maneuver/scenarios.hpp"
 
 namespace hamilcar::fishhook_run {
 
@@ -17,32 +17,19 @@ struct Run {
     bool tips = false;                // two-wheel lift, or worse
     double lightest = 1;              // least load of a side of any unit over what it carries standing [1]
     double lifted = 0;                // how long a side of any unit was off the road [s]
-    double roll = 0;                  // largest [rad]
+    double roll = 0;                  // largest [deg]
     double lateral_acceleration = 0;  // largest, smoothed [m/s^2]
 };
 
-class Fishhook {
-public:
-    // `angle`: of the steering wheel, each way [rad].
-    Fishhook(const VehicleDescription& vehicle, const ManeuverOptions& options, double angle, bool feedback);
-
-    // Fills in what was found; `from` and `to`: the run's share of the maneuver.
-    Trial drive(Run& run, bool film, double from, double to) const;
-
-private:
-    Trial turn(const Run& run, bool film, bool first_turn_only, std::function<bool(double)> keep_going) const;
-
-    const VehicleDescription& vehicle_;
-    const ManeuverOptions& options_;
-    double angle_;
-    bool feedback_;
-};
+// Turns the steering wheel by `angle` each way [rad], and fills in what was found. With feedback it is driven twice: the first
+// time the wheel stays at its first angle, and its roll rate tells the dwell.
+Drive drive(const TestRun& test, Run& run, double angle, bool feedback, Share share);
 
 // How long after the wheel has reached its first angle, at `reached` [s], the roll rate has come down to 1.5 deg/s; 1.5 s if
 // it does not [s].
-double calm_after(const History& history, double reached);
+double calm_after(const Recording& recording, double reached);
 
 // Lift, roll and lateral acceleration.
-void evaluate(const VehicleDescription& vehicle, const Trial& trial, Run& run);
+void evaluate(const VehicleDescription& vehicle, const Drive& drive, Run& run);
 
 }  // namespace hamilcar::fishhook_run

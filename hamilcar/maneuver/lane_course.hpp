@@ -5,23 +5,13 @@
 #include <array>
 #include <vector>
 
-#include "hamilcar/maneuver/common.hpp"
+#include "hamilcar/analysis/easiest_line.hpp"
+#include "hamilcar/maneuver/test_run.hpp"
 
 namespace hamilcar {
 
-// From `begin` to `end` along x, between `right` and `left` along y [m].
-struct Lane {
-    double begin, end, right, left;
-    double width() const { return left - right; }
-    double center() const { return 0.5 * (left + right); }
-};
-
 // Cones, boundaries and the driver's line, which runs straight ahead before the first lane and behind the last one.
 Course lane_course(const std::vector<Lane>& lanes, const Footprint& box);
-
-// The line of the center of mass that bends least, in the sense of the least mean squared curvature, while the box whose
-// heading is the line's stays between all rows with some of the room to spare: a driver who knows the course uses its width.
-std::vector<std::array<double, 2>> easiest_line(const std::vector<Lane>& lanes, const Footprint& box);
 
 // How a drive went.
 struct Passage {
@@ -36,6 +26,6 @@ struct Passage {
     bool clean() const { return complete && clearance >= 0 && cones == 0; }
 };
 // The box stands for the motor vehicle, the tires on the ground for trailers.
-Passage passage(const VehicleDescription& vehicle, const std::vector<Lane>& lanes, const History& history);
+Passage passage(const VehicleDescription& vehicle, const std::vector<Lane>& lanes, const Recording& recording);
 
 }  // namespace hamilcar

@@ -6,7 +6,7 @@
 #include "hamilcar/analysis/no_solution.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/maneuver/catalog.hpp"
-#include "hamilcar/maneuver/maneuver.hpp"
+#include "hamilcar/maneuver/test_run.hpp"
 
 namespace hamilcar {
 
@@ -14,45 +14,54 @@ namespace {
 
 // What holds of every maneuver: one that was broken off has no verdicts, since what was not driven was not met, and where the
 // mathematics failed there are no figures either.
-Outcome accounted(Outcome outcome) {
-    const EnergyBook& energy = outcome.energy;
-    if (outcome.stopped == Stopped::no && judge_energy(energy.error(), energy.turnover) == EnergyVerdict::wrong) {
+void judge(Outcome& outcome) {
+    const EnergyBalance& energy = outcome.energy;
+    if (outcome.stopped == Stopped::no && judge_energy(energy.error(), energy.exchanged) == EnergyVerdict::wrong) {
         outcome.stopped = Stopped::numerical;
-        outcome.failed = fmt::format("the energy account of all drives is off by {:.2g} J of {:.2g} J turned over",
-                                     energy.error(), energy.turnover);
+        outcome.failed = fmt::format("the energy account of all drives is off by {:.2g} J of {:.2g} J exchanged",
+                                     energy.error(), energy.exchanged);
     }
     if (outcome.stopped != Stopped::no) outcome.verdicts.clear();
     if (outcome.stopped == Stopped::numerical) outcome.figures.clear(), outcome.charts.clear();
-    return outcome;
-}
-
-Maneuver with_account(Maneuver maneuver) {
-    maneuver.drive = [drive = maneuver.drive](const VehicleDescription& vehicle, const Settings& settings,
-                                              const ManeuverOptions& options) {
-        try {
-            return accounted(drive(vehicle, settings, options));
-        } catch (const NoSolution& problem) {
-            throw io::Error(io::ExitCode::numerical, problem.what());
-        }
-    };
-    return maneuver;
-}
-
-std::vector<Maneuver> all_maneuvers() {
-    std::vector<Maneuver> all{
-        constant_radius(), constant_speed(),  constant_steer(), step_steer(),         sine_steer(),
-        pulse_steer(),     random_steer(),    weave(),          double_lane_change(), obstacle_avoidance(),
-        braking_in_turn(), sine_with_dwell(), fishhook(),       straight_braking(),   split_braking(),
-        acceleration(),    coast_down(),      cleat(),          rough_road(),
-    };
-    for (Maneuver& maneuver : all) maneuver = with_account(std::move(maneuver));
-    return all;
 }
 
 }  // namespace
 
+Outcome Maneuver::drive(const VehicleDescription& vehicle, const Settings& complete,
+                        const ManeuverOptions& options) const {
+    try {
+        TestRun test(*this, vehicle, complete, options);
+        run(test);
+        judge(test.outcome);
+        return std::move(test.outcome);
+    } catch (const NoSolution& problem) {
+        throw io::Error(io::ExitCode::numerical, problem.what());
+    }
+}
+
 const std::vector<Maneuver>& maneuvers() {
-    static const std::vector<Maneuver> all = all_maneuvers();
+    static const std::vector<Maneuver> all{
+        constant_radius(),
+        constant_speed(),
+        constant_steer(),
+        step_steer(),
+        sine_steer(),
+        pulse_steer(),
+        random_steer(),
+        weave(),
+        double_lane_change(),
+        obstacle_avoidance(),
+        braking_in_turn(),
+        power_off_in_turn(),
+        sine_with_dwell(),
+        fishhook(),
+        straight_braking(),
+        split_braking(),
+        acceleration(),
+        coast_down(),
+        cleat(),
+        rough_road(),
+    };
     return all;
 }
 

@@ -1,8 +1,8 @@
-// What a standard maneuver is: settings with their usual values, a way to drive it, and what it finds out.
+// What a standard maneuver is: settings with their default values, a way to drive it, and what it finds out.
 //
-//     settings ─► scenarios with a driver ─► Trial: rows of the channels it asks for ─► Outcome: figures, verdicts, diagrams
+//     settings ─► TestRun ─► scenarios with a driver ─► Drive: recorded channels ─► Outcome: figures, verdicts, diagrams
 //
-// A maneuver is one file and one line in list.cpp. It knows the vehicle as everybody else does, by its description.
+// A maneuver is one file and one line in list.cpp. It knows the vehicle by its description, as every other module does.
 #pragma once
 
 #include <functional>
@@ -15,21 +15,32 @@
 #include "hamilcar/description/scenario.hpp"
 #include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/io/page.hpp"
+#include "hamilcar/run/validity_warning.hpp"
 
 namespace hamilcar {
 
-// What numbers a setting may have: any, counts, 0 for no and 1 for yes, or 1 for the left and -1 for the right.
-enum class SettingKind { number, whole, toggle, side };
+// number: any between its limits; whole: counts; flag: yes or no; choice: one of its words. Words go by the numbers that stand for
+// them, too.
+enum class SettingKind { number, whole, flag, choice };
 
-// A number that a person may choose.
+struct Choice {
+    std::string word;  // "left"
+    double number;     // that stands for it
+};
+
+// What a person may choose.
 struct Setting {
     std::string name;  // "speed"
     std::string unit;  // as typed: "km/h", "deg", "m/s^2"; "" without
     std::string meaning;
-    double usual;        // the standard's, where it has one
-    double least, most;  // what can be chosen
+    double default_value;  // the standard's, where it has one
+    double min = 0, max = 1;
     SettingKind kind = SettingKind::number;
+    std::vector<Choice> choices = {};  // of a flag too
 };
+Setting flag_setting(std::string name, std::string meaning, bool default_value);
+Setting choice_setting(std::string name, std::string meaning, std::vector<Choice> choices,
+                       std::string_view default_choice);
 
 // A characteristic value; NaN where the run did not show it.
 struct Figure {
@@ -51,17 +62,17 @@ struct Course {
     std::vector<std::array<double, 2>> line;  // that the driver is to follow [m]
 };
 
-// Where a maneuver's energy went, and whether the books close.
-struct EnergyBook {
+// Where a maneuver's energy went, and whether the account balances.
+struct EnergyBalance {
     double supplied = 0;    // by engines, or by the prescribed torque [J]
     double stored = 0;      // gained by the car, kinetic and potential [J]
     double dissipated = 0;  // in tires, brakes, dampers, air and driveline, and what the steering took [J]
-    double gap() const { return supplied - stored - dissipated; }
-    double turnover = 0;  // what the gap is to be compared with: energy moved in all [J]
-    bool is_kept = true;  // the solver integrated the account along
-    double error() const { return account_error(gap(), is_kept); }  // [J]
+    double residual() const { return supplied - stored - dissipated; }
+    double exchanged = 0;  // what the residual is to be compared with: energy moved in all [J]
+    bool is_kept = true;   // the solver integrated the account along
+    double error() const { return account_error(residual(), is_kept); }  // [J]
 
-    EnergyBook& operator+=(const EnergyBook& other);
+    EnergyBalance& operator+=(const EnergyBalance& other);
 };
 
 // What kept a drive from its end: somebody said stop, the vehicle tipped over, or the mathematics gave up, which says nothing
@@ -71,13 +82,14 @@ enum class Stopped { no, interrupted, fell_over, numerical };
 struct Outcome {
     std::vector<Figure> figures;
     std::vector<Verdict> verdicts;
-    std::vector<io::Chart> charts;      // the test's own diagrams
-    Course course;                      // empty where there is none
-    std::vector<io::PageRun> runs;      // what was driven, for film and plots; the last is the one that counts
-    std::vector<std::string> notes;     // for a person: what could not be done, and what was reached
-    EnergyBook energy;                  // of all runs together
-    std::optional<std::string> failed;  // the maneuver could not be driven: why, with what was reached
-    Stopped stopped = Stopped::no;      // where that was an interruption, or the mathematics
+    std::vector<io::Chart> charts;          // the test's own diagrams
+    Course course;                          // empty where there is none
+    std::vector<io::PageRun> runs;          // what was driven, for replay and plots; the last is the one that counts
+    std::vector<std::string> notes;         // for a person: what could not be done, and what was reached
+    EnergyBalance energy;                   // of all runs together
+    std::vector<ValidityWarning> validity;  // where the drives that count went beyond the ranges of models
+    std::optional<std::string> failed;      // the maneuver could not be driven: why, with what was reached
+    Stopped stopped = Stopped::no;          // where that was an interruption, or the mathematics
 
     bool passed() const {
         for (const Verdict& verdict : verdicts) {
@@ -93,28 +105,40 @@ using Settings = std::map<std::string, double>;  // complete, by name, as typed
 struct ManeuverOptions {
     SolverDescription solver;
     RoadDescription road;   // the maneuver may put its own obstacles on it
-    bool keep_runs = true;  // rows for film and plots
+    bool keep_runs = true;  // rows for replay and plots
     std::function<bool(double)> keep_going = [](double) { return true; };  // told the share done; false: stop
 };
+
+class TestRun;
 
 struct Maneuver {
     std::string name;      // as typed: "double_lane_change"
     std::string title;     // "Double lane change"
     std::string standard;  // "ISO 3888-1"
     std::string summary;   // one sentence
-    // Usual values may depend on the vehicle.
+    // Default values may depend on the vehicle.
     std::function<std::vector<Setting>(const VehicleDescription&)> settings;
     // Why this vehicle cannot do it, or nothing.
-    std::function<std::string(const VehicleDescription&)> obstacle;
-    std::function<Outcome(const VehicleDescription&, const Settings&, const ManeuverOptions&)> drive;
+    std::function<std::string(const VehicleDescription&)> unsupported_reason = [](const auto&) { return ""; };
+    std::function<void(TestRun&)> run;
     // The cones and lines alone, for the simulator; empty where there is none.
-    std::function<Course(const VehicleDescription&, const Settings&)> course;
+    std::function<Course(const VehicleDescription&, const Settings&)> course = [](const auto&, const auto&) {
+        return Course{};
+    };
+
+    // With complete settings. Throws io::Error: bad_file for settings that contradict each other, numerical where there is no
+    // steady state to start from.
+    Outcome drive(const VehicleDescription& vehicle, const Settings& complete, const ManeuverOptions& options) const;
 };
 
 // "speed_km_per_h": a setting's key in a scenario file.
 std::string setting_key(const Setting& setting);
-// What can be chosen: "20 to 250 [km/h]", "a whole number, 1 to 20", "0 or 1".
+// Of its unit to SI: pi / 180 for degrees, 0.01 for percent.
+double setting_factor(const Setting& setting);
+// What can be chosen: "20 to 250 [km/h]", "a whole number, 1 to 20", "'yes' or 'no'", "'left' or 'right'".
 std::string setting_range(const Setting& setting);
+// As a person would type it: "left", "80".
+std::string setting_text(const Setting& setting, double value);
 // By its name or its key; throws io::Error(bad_file), with what there is, for a name that is none.
 const Setting& setting_called(const std::string& name, const std::vector<Setting>& known, const std::string& maneuver);
 
@@ -122,10 +146,13 @@ const Setting& setting_called(const std::string& name, const std::vector<Setting
 const std::vector<Maneuver>& maneuvers();
 const Maneuver* find_maneuver(const std::string& name);
 
+// With words as the numbers that stand for them, by the names as they were typed. Throws io::Error(bad_file) for a setting that
+// does not exist, and for a word that it does not have.
+Settings settings_in_numbers(const Maneuver& maneuver, const VehicleDescription& vehicle, const TypedSettings& typed);
 // Those chosen, by their names, whichever of its two spellings each came in. Throws io::Error(bad_file) for one that does not
 // exist, came in both spellings or cannot have this value, naming the setting, the range and the unit.
 Settings chosen_settings(const Maneuver& maneuver, const VehicleDescription& vehicle, const Settings& chosen);
-// The usual settings with those put in. Throws likewise.
+// The default settings with those put in. Throws likewise.
 Settings complete_settings(const Maneuver& maneuver, const VehicleDescription& vehicle, const Settings& chosen);
 
 }  // namespace hamilcar

@@ -15,8 +15,8 @@ constexpr double offset = 1;   // from the first lane's left border to the secon
 constexpr double release = 2;  // of the throttle, behind the first cones [m]
 
 LaneChange lane_change(const VehicleDescription& vehicle) {
-    constexpr double play = 0.25, wide_play = 1, least_exit = 3;  // [m]
-    const double b = footprint(vehicle).width(), entry = 1.1 * b + play, exit = std::max(1.3 * b + play, least_exit);
+    constexpr double play = 0.25, wide_play = 1, min_exit = 3;  // [m]
+    const double b = footprint(vehicle).width(), entry = 1.1 * b + play, exit = std::max(1.3 * b + play, min_exit);
     const double left = 0.5 * entry;  // the first lane's middle is y = 0
     return {.title = "Obstacle avoidance",
             .lanes = {{0, 12, left - entry, left},
@@ -27,7 +27,7 @@ LaneChange lane_change(const VehicleDescription& vehicle) {
 
 std::vector<Setting> settings(const VehicleDescription& vehicle) {
     constexpr double moderate = 60, asked = 8;  // [km/h], [m/s^2]; the standard leaves the speed open
-    return lane_change_settings(usual_entry_speed(vehicle, moderate, asked), true);
+    return lane_change_settings(default_entry_speed(vehicle, moderate, asked), true);
 }
 
 }  // namespace

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
+#include "hamilcar/io/merged_chart.hpp"
 #include "hamilcar/maneuver/outcome_file.hpp"
+#include "hamilcar/run/validity_report.hpp"
 
 namespace hamilcar {
 
@@ -25,48 +26,54 @@ io::Table figures_table(const Outcome& outcome) {
 
 io::Table inputs_table(const ManeuverRun& run) {
     io::Table table{"What was driven", {{"", ""}, {"value", ""}, {"unit", ""}, {"meaning", ""}}, {}};
-    table.rows.push_back({std::string("vehicle"), run.vehicle, std::string(), run.vehicle_file});
+    const auto add = [&](std::string name, io::Cell value, std::string unit, std::string meaning) {
+        table.rows.push_back({std::move(name), std::move(value), std::move(unit), std::move(meaning)});
+    };
+    add("vehicle", run.vehicle, "", run.vehicle_file);
     for (const auto& [setting, value] : run.settings) {
-        table.rows.push_back({setting.name, value, setting.unit, setting.meaning});
+        const bool has_words = !setting.choices.empty();
+        add(setting.name, has_words ? io::Cell(setting_text(setting, value)) : io::Cell(value), setting.unit,
+            setting.meaning);
     }
-    table.rows.push_back({std::string("integration step"), run.step, std::string("s"), "by " + run.integrator});
-    table.rows.push_back({std::string("program"), run.program, std::string(), std::string()});
+    add("integration step", run.step, "s", "by " + run.integrator);
+    add("program", run.program, "", "");
     return table;
 }
 
-io::Table energy_table(const EnergyBook& book) {
-    io::Table table{"Energy", {{"", ""}, {"value", ""}, {"unit", ""}}, {}};
-    const auto add = [&](const char* name, double joule) {
-        table.rows.push_back({std::string(name), 1e-3 * joule, std::string("kJ")});
+io::Table energy_table(const EnergyBalance& energy) {
+    const auto row = [](std::string name, double joule) {
+        return std::vector<io::Cell>{std::move(name), 1e-3 * joule, std::string("kJ")};
     };
-    add("supplied by engine or wheel torque", book.supplied);
-    add("gained by the vehicle", book.stored);
-    add("dissipated, less what the steering put in", book.dissipated);
-    add("left over: the books do not close by", book.gap());
-    return table;
+    return {"Energy",
+            {{"", ""}, {"value", ""}, {"unit", ""}},
+            {row("supplied by engine or wheel torque", energy.supplied), row("gained by the vehicle", energy.stored),
+             row("dissipated, less what the steering put in", energy.dissipated),
+             row("energy balance residual", energy.residual())}};
 }
 
 // A label that tells runs apart: their vehicles, or their settings where these are what differs.
 std::vector<std::string> labels_of(const std::vector<Named>& runs) {
+    const auto all_alike = [&](std::string ManeuverRun::*what) {
+        return std::ranges::all_of(runs, [&](const Named& r) { return r.first.*what == runs[0].first.*what; });
+    };
+    const bool one_kind = all_alike(&ManeuverRun::title), one_vehicle = all_alike(&ManeuverRun::vehicle);
     std::vector<std::string> labels;
-    const bool one_kind =
-        std::ranges::all_of(runs, [&](const Named& r) { return r.first.title == runs[0].first.title; });
-    const bool one_vehicle =
-        std::ranges::all_of(runs, [&](const Named& r) { return r.first.vehicle == runs[0].first.vehicle; });
     for (const auto& [run, outcome] : runs) {
         labels.push_back(one_kind ? run.vehicle : one_vehicle ? run.title : run.title + ", " + run.vehicle);
     }
-    const auto doubled = [&](const std::string& label) { return std::ranges::count(labels, label) > 1; };
+    const auto have_it = [&](const Setting& setting, double value) {
+        return std::ranges::all_of(runs, [&](const Named& run) {
+            return std::ranges::any_of(run.first.settings, [&](const auto& theirs) {
+                return theirs.first.name == setting.name && theirs.second == value;
+            });
+        });
+    };
     std::vector<std::string> out = labels;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        if (!doubled(labels[i])) continue;
+        if (std::ranges::count(labels, labels[i]) == 1) continue;
         for (const auto& [setting, value] : runs[i].first.settings) {
-            const bool same = std::ranges::all_of(runs, [&, &own = setting, number = value](const Named& other) {
-                return std::ranges::any_of(other.first.settings, [&](const auto& theirs) {
-                    return theirs.first.name == own.name && theirs.second == number;
-                });
-            });
-            if (!same) out[i] += fmt::format(", {} {:g} {}", setting.name, value, setting.unit);
+            if (!have_it(setting, value))
+                out[i] += fmt::format(", {} {} {}", setting.name, setting_text(setting, value), setting.unit);
         }
     }
     for (std::size_t i = 0; i < out.size(); ++i) {
@@ -96,76 +103,19 @@ io::Table side_by_side(const std::vector<Named>& runs, const std::vector<std::st
     return table;
 }
 
-// One diagram of each run that has it, with the run's label.
-using Laid = std::vector<std::pair<const io::Chart*, std::string>>;
-
-// What diagrams show beside their curves, under the run's label where they differ; once where all show the same.
-template <class T, class Same, class Labeled>
-std::vector<T> united(const Laid& charts, std::vector<T> io::Chart::*what, Same&& same, Labeled&& labeled) {
-    const std::vector<T>& first = charts.front().first->*what;
-    const auto as_first = [&](const auto& one) { return std::ranges::equal(one.first->*what, first, same); };
-    if (std::ranges::all_of(charts, as_first)) return first;
-    std::vector<T> out;
-    for (const auto& [chart, label] : charts) {
-        for (const T& one : chart->*what) {
-            const bool common = std::ranges::all_of(charts, [&](const auto& other) {
-                return std::ranges::any_of(other.first->*what, [&](const T& theirs) { return same(theirs, one); });
-            });
-            if (!common) {
-                out.push_back(labeled(one, label));
-            } else if (chart == charts.front().first) {
-                out.push_back(one);
-            }
-        }
-    }
-    return out;
-}
-
-io::Chart laid_over(const Laid& charts) {
-    io::Chart out = *charts.front().first;
-    out.curves.clear();
-    for (const auto& [chart, label] : charts) {
-        for (io::Curve curve : chart->curves) {
-            curve.label = curve.label.empty() || chart->curves.size() == 1 ? label : label + ", " + curve.label;
-            out.curves.push_back(std::move(curve));
-        }
-    }
-    const auto joined = [](const std::string& label, const std::string& own) {
-        return own.empty() ? label : label + ", " + own;
-    };
-    using Mark = std::pair<double, std::string>;
-    const auto mark_of = [&](const Mark& mark, const std::string& label) {
-        return Mark(mark.first, joined(label, mark.second));
-    };
-    out.vertical_marks = united(charts, &io::Chart::vertical_marks, std::equal_to<Mark>(), mark_of);
-    out.horizontal_marks = united(charts, &io::Chart::horizontal_marks, std::equal_to<Mark>(), mark_of);
-    out.marks = united(
-        charts, &io::Chart::marks, [](const io::Marks& a, const io::Marks& b) { return a.x == b.x && a.y == b.y; },
-        [&](const io::Marks& marks, const std::string& label) {
-            return io::Marks{joined(label, marks.label), marks.x, marks.y};
-        });
-    out.lines = united(
-        charts, &io::Chart::lines,
-        [](const io::Line& a, const io::Line& b) {
-            return a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1;
-        },
-        [](const io::Line& line, const std::string&) { return line; });
-    return out;
-}
-
 // Diagrams of one title in one, in the order in which they first come.
 std::vector<io::Chart> overlaid(const std::vector<Named>& runs, const std::vector<std::string>& labels) {
-    std::vector<Laid> by_title;
+    std::vector<io::LabeledCharts> by_title;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         for (const io::Chart& chart : runs[i].second.charts) {
             auto same = std::ranges::find_if(
-                by_title, [&](const Laid& laid) { return laid.front().first->title == chart.title; });
+                by_title, [&](const io::LabeledCharts& laid) { return laid.front().first->title == chart.title; });
             if (same == by_title.end()) same = by_title.emplace(by_title.end());
             same->emplace_back(&chart, labels[i]);
         }
     }
     std::vector<io::Chart> out;
-    for (const Laid& laid : by_title) out.push_back(laid_over(laid));
+    for (const io::LabeledCharts& laid : by_title) out.push_back(io::merged(laid));
     return out;
 }
 
@@ -189,6 +139,7 @@ void add_run(const ManeuverRun& run, const Outcome& outcome, const std::string& 
     if (!outcome.verdicts.empty()) page.blocks.push_back(io::Verdicts{outcome.verdicts});
     for (const std::string& note : outcome.notes)
         page.blocks.push_back(io::Paragraph{fmt::format("{}: {}", label, note)});
+    add_validity(outcome.validity, page);
     page.blocks.push_back(inputs_table(run));
 }
 
@@ -202,6 +153,7 @@ io::Page outcome_page(const ManeuverRun& run, const Outcome& outcome) {
     if (!outcome.figures.empty()) add_figures(figures_table(outcome), "No value: this drive did not show it.", page);
     for (const io::Chart& chart : outcome.charts) page.blocks.push_back(chart);
     for (const std::string& note : outcome.notes) page.blocks.push_back(io::Paragraph{note});
+    add_validity(outcome.validity, page);
     if (!page.runs.empty()) {
         page.blocks.push_back(io::Heading{"The drive"});
         page.blocks.push_back(io::Replay{});
@@ -221,9 +173,9 @@ io::Page comparison_page(std::vector<Named> runs) {
         if (page.title.find(run.title) == std::string::npos) page.title += (i == 0 ? "" : ", ") + run.title;
         page.subtitle += (i == 0 ? "" : " · ") + labels[i];
         add_failure(outcome, labels[i], page);
-        for (io::PageRun& film : outcome.runs) {
-            film.name = labels[i] + (outcome.runs.size() > 1 ? ", " + film.name : "");
-            page.runs.push_back(std::move(film));
+        for (io::PageRun& replay : outcome.runs) {
+            replay.name = labels[i] + (outcome.runs.size() > 1 ? ", " + replay.name : "");
+            page.runs.push_back(std::move(replay));
         }
     }
     add_figures(side_by_side(runs, labels), "No value: that drive did not show it, or its maneuver does not have it.",

@@ -7,84 +7,48 @@
 
 namespace hamilcar::ride {
 
-namespace {
-
-constexpr double fine = 1e-3;  // between rows: the weightings reach up to 100 Hz [s]
-
-}  // namespace
-
-std::span<const double> between(const History& history, const std::vector<double>& values, double from, double to) {
-    const std::size_t first = row_at(history, from), last = row_at(history, to);
-    return std::span(values).subspan(first, std::max(last, first + 1) - first);
+std::span<const double> within(const Series& series, double from, double to) {
+    const std::size_t first = sample_at(series, from), last = sample_at(series, to);
+    return series.values.subspan(first, std::max(last, first + 1) - first);
 }
 
-Comfort felt(const History& history, double from, double to) {
-    const double rate = straight::series(history, history.seat_z).rate;
+Comfort felt(const Recording& recording, double from, double to) {
     // Filtered from the start, so that the filters are in motion at `from`.
-    const std::vector<double> x = ride_weighted(RideWeighting::horizontal, history.seat_x, rate);
-    const std::vector<double> y = ride_weighted(RideWeighting::horizontal, history.seat_y, rate);
-    const std::vector<double> z = ride_weighted(RideWeighting::vertical, history.seat_z, rate);
-    const auto part = [&](const std::vector<double>& values) { return between(history, values, from, to); };
-    Comfort out{};
-    out.x = root_mean_square(part(x)), out.y = root_mean_square(part(y)), out.z = root_mean_square(part(z));
+    const auto weighted = [&](RideWeighting weighting, const char* channel) {
+        const Series raw = recording[channel];
+        const std::vector<double> all = ride_weighted(weighting, raw.values, raw.rate);
+        const auto part = within({all, raw.rate, raw.start}, from, to);
+        return std::vector<double>(part.begin(), part.end());
+    };
+    const std::vector<double> x = weighted(RideWeighting::horizontal, channel::seat_x),
+                              y = weighted(RideWeighting::horizontal, channel::seat_y),
+                              z = weighted(RideWeighting::vertical, channel::seat_z);
+    Comfort out{.x = root_mean_square(x), .y = root_mean_square(y), .z = root_mean_square(z)};
     out.total = comfort_total(out.x, out.y, out.z);
-    out.crest_z = crest_factor(part(z));
-    out.running_z = largest_running_rms(part(z), rate);
-    out.dose_z = vibration_dose(part(z), rate);
+    out.crest_z = crest_factor(z);
+    out.running_z = largest_running_rms(z, recording.rate());
+    out.dose_z = vibration_dose(z, recording.rate());
     return out;
 }
 
-void add_figures(Outcome& outcome, const Comfort& comfort) {
-    const auto add = [&](const std::string& name, const std::string& unit, const std::string& meaning, double value) {
-        outcome.figures.push_back({name, unit, meaning, value});
-    };
-    add("a_wx", "m/s^2", "r.m.s. on the seat along x, weighted with Wd", comfort.x);
-    add("a_wy", "m/s^2", "likewise along y", comfort.y);
-    add("a_wz", "m/s^2", "likewise along z, weighted with Wk", comfort.z);
-    add("a_v", "m/s^2", "total value, the vector sum of the three", comfort.total);
-    add("crest factor along z", "", "largest weighted value over its r.m.s.", comfort.crest_z);
-    add("MTVV along z", "m/s^2", "largest weighted r.m.s. over a second", comfort.running_z);
-    add("VDV along z", "m/s^1.75", "fourth root of the integral of the fourth power", comfort.dose_z);
+void add_figures(TestRun& test, const Comfort& comfort) {
+    test.figure("a_wx", "m/s^2", comfort.x, "r.m.s. on the seat along x, weighted with Wd");
+    test.figure("a_wy", "m/s^2", comfort.y, "likewise along y");
+    test.figure("a_wz", "m/s^2", comfort.z, "likewise along z, weighted with Wk");
+    test.figure("a_v", "m/s^2", comfort.total, "total value, the vector sum of the three");
+    test.figure("crest factor along z", "", comfort.crest_z, "largest weighted value over its r.m.s.");
+    test.figure("MTVV along z", "m/s^2", comfort.running_z, "largest weighted r.m.s. over a second");
+    test.figure("VDV along z", "m/s^1.75", comfort.dose_z, "fourth root of the integral of the fourth power");
 }
 
-Loads loads(const History& history, const straight::Axle& axle, double from, double to) {
+Loads loads(const Recording& recording, const Axle& axle, double from, double to) {
     Loads worst{0, -1, 0, 0};
-    for (const std::size_t wheel : axle.wheels) {
-        const std::span<const double> load = between(history, history.wheel_load[wheel], from, to);
-        const double mean = straight::mean(load);
-        double squares = 0;
-        for (const double one : load) squares += (one - mean) * (one - mean);
-        const double deviation = std::sqrt(squares / static_cast<double>(load.size()));
-        if (deviation > worst.deviation) {
-            worst = {mean, deviation, *std::ranges::min_element(load), *std::ranges::max_element(load)};
-        }
+    for (const std::string& wheel : axle.wheels) {
+        const auto load = within(recording[channel::wheel_load(wheel)], from, to);
+        const double average = mean(load), deviation = root_mean_square(shifted(load, -average));
+        if (deviation > worst.deviation) worst = {average, deviation, std::ranges::min(load), std::ranges::max(load)};
     }
     return worst;
-}
-
-TrialOptions trial_options(const ManeuverOptions& options) {
-    TrialOptions out = straight::trial_options(options, 0, 1);
-    out.interval = fine;
-    out.seat_acceleration = true;
-    return out;
-}
-
-ManeuverOptions with_fine_step(const ManeuverOptions& options) {
-    ManeuverOptions out = options;
-    out.solver.step = std::min(out.solver.step, fine);
-    return out;
-}
-
-void thin_out(io::PageRun& film, const History& history) {
-    if (history.size() < 2) return;
-    constexpr double interval = 0.01;  // of a film [s]
-    const auto every =
-        static_cast<std::size_t>(std::max(1L, std::lround(interval / (history.time[1] - history.time[0]))));
-    for (std::vector<double>& column : film.values) {
-        std::vector<double> kept;
-        for (std::size_t i = 0; i < column.size(); i += every) kept.push_back(column[i]);
-        column = std::move(kept);
-    }
 }
 
 }  // namespace hamilcar::ride

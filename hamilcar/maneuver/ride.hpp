@@ -1,7 +1,7 @@
 // What a ride over an uneven road does to people on the seat and to the wheels' loads.
 #pragma once
 
-#include "hamilcar/maneuver/straight.hpp"
+#include "hamilcar/maneuver/scenarios.hpp"
 
 namespace hamilcar::ride {
 
@@ -12,21 +12,20 @@ struct Comfort {
     double running_z;       // MTVV, largest r.m.s. over a second [m/s^2]
     double dose_z;          // VDV [m/s^1.75]
 };
-Comfort felt(const History& history, double from, double to);
-void add_figures(Outcome& outcome, const Comfort& comfort);
+Comfort felt(const Recording& recording, double from, double to);
+void add_figures(TestRun& test, const Comfort& comfort);
 
 // Load of an axle's wheel that varies most, between two instants.
 struct Loads {
-    double mean, deviation, least, most;  // [N]
+    double mean, deviation, min, max;  // [N]
 };
-Loads loads(const History& history, const straight::Axle& axle, double from, double to);
+Loads loads(const Recording& recording, const Axle& axle, double from, double to);
 
-// The rows that such evaluations need, a thousand a second where the solver's step allows, and a film of fewer.
-TrialOptions trial_options(const ManeuverOptions& options);
-ManeuverOptions with_fine_step(const ManeuverOptions& options);
-void thin_out(io::PageRun& film, const History& history);
+// A thousand rows a second, as the weightings need, where the solver's step allows, and fewer in the replay.
+inline constexpr DriveOptions drive_options{.interval = 1e-3, .replay_interval = 0.01, .seat_acceleration = true};
+inline constexpr double max_step = 1e-3;  // so that it does [s]
 
-// Values between two instants.
-std::span<const double> between(const History& history, const std::vector<double>& values, double from, double to);
+// Values in [from, to).
+std::span<const double> within(const Series& series, double from, double to);
 
 }  // namespace hamilcar::ride

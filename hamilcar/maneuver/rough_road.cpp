@@ -1,6 +1,4 @@
 // Along a random road of an ISO 8608 class: what people feel of it by ISO 2631-1, and how the wheels' loads vary.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -18,24 +16,12 @@ constexpr double smooth = 10, fade = 5;  // ahead of the foremost wheel; in and 
 
 std::vector<Setting> settings(const VehicleDescription& vehicle) {
     return {
-        {"speed", "km/h", "that the driver holds", straight::is_heavy(vehicle) ? 60.0 : 80.0, 10, 200},
-        {"road_class", "", "of ISO 8608: 1 is A (very good), 3 is C, 8 is H", 3, 1, 8, SettingKind::whole},
+        {"speed", "km/h", "that the driver holds", is_heavy(vehicle) ? 60.0 : 80.0, 10, 200},
+        choice_setting("road_class", "of ISO 8608, from A (very good) on",
+                       {{"A", 1}, {"B", 2}, {"C", 3}, {"D", 4}, {"E", 5}, {"F", 6}, {"G", 7}, {"H", 8}}, "C"),
         {"length", "m", "that is evaluated", 300, 50, 1500},
         {"seed", "", "another one: another road of the same class", 1, 0, 1e6, SettingKind::whole},
     };
-}
-
-std::string obstacle(const VehicleDescription&) {
-    return "";
-}
-
-double track_width(const VehicleDescription& vehicle) {
-    double left = 0, right = 0;
-    for_each_wheel(vehicle, [&](const auto& wheel, std::size_t) {
-        left = std::max(left, wheel.wheel.center[1]), right = std::min(right, wheel.wheel.center[1]);
-    });
-    constexpr double least = 0.5;  // where all wheels follow each other in one track [m]
-    return std::max(left - right, least);
 }
 
 // Between them the center of mass has all wheels on the road [m].
@@ -43,31 +29,30 @@ struct Stretch {
     double begin, end;
 };
 
-struct Drive {
+struct Plan {
     ScenarioDescription scenario;
     Stretch stretch;
 };
 
-Drive along_the_road(const VehicleDescription& vehicle, const Settings& chosen, const ManeuverOptions& options) {
-    const std::vector<straight::Axle> axles = straight::axles(vehicle);
-    const double speed = chosen.at("speed") * kilometer_per_hour, center = vehicle.chassis.center_of_mass[0];
+Plan along_the_road(const TestRun& test, const std::vector<Axle>& axles) {
+    const double speed = test["speed"], center = test.vehicle.chassis.center_of_mass[0];
     RandomRoadDescription road;
-    road.road_class = static_cast<char>('A' + std::lround(chosen.at("road_class")) - 1);
-    road.seed = static_cast<std::uint64_t>(std::llround(chosen.at("seed")));
+    road.road_class = test.choice("road_class").front();
+    road.seed = static_cast<std::uint64_t>(std::llround(test["seed"]));
     road.start = axles.front().x + smooth;
-    road.track_width = track_width(vehicle);
+    road.track_width = track_width(test.vehicle);
     road.fade = fade;
     Stretch stretch;
     stretch.begin = road.start + fade + center - axles.back().x;
-    stretch.end = stretch.begin + chosen.at("length");
+    stretch.end = stretch.begin + test["length"];
     road.length = stretch.end + axles.front().x - center + 2 * fade - road.start;
-    constexpr double patience = 1.5;  // of the time at that speed; a road may be too rough for it
+    constexpr double slack = 1.5;  // of the time at that speed; a road may be too rough for it
     const double way = stretch.end - center + fade;
-    ScenarioDescription scenario = driving_at(vehicle, ride::with_fine_step(options), speed, patience * way / speed);
-    scenario.name = "rough_road";
+    ScenarioDescription scenario = driving_at(test, speed, slack * way / speed);
+    scenario.solver.step = std::min(scenario.solver.step, ride::max_step);
     scenario.road.random.push_back(road);
     scenario.driver.ending.distance = way;
-    straight::follow_straight_line(scenario, vehicle, way);
+    follow_straight_line(scenario, test.vehicle, way);
     return {scenario, stretch};
 }
 
@@ -107,70 +92,64 @@ io::Curve density(const std::string& label, std::span<const double> values, doub
     return curve;
 }
 
-void add_charts(Outcome& outcome, const History& history, const std::vector<straight::Axle>& axles, double from,
-                double to) {
-    const double rate = straight::series(history, history.seat_z).rate;
-    const auto part = [&](const std::vector<double>& values) { return ride::between(history, values, from, to); };
-    const auto thinned = [](const std::vector<double>& values) { return straight::thinned(values); };
-    io::Chart power{
-        "Spectrum of the seat's acceleration", "frequency [Hz]", "density [(m/s^2)^2/Hz]", {}, true, {}, true};
-    power.curves.push_back(density("vertical", part(history.seat_z), rate));
-    const std::vector<double> weighted = ride_weighted(RideWeighting::vertical, history.seat_z, rate);
-    power.curves.push_back(density("vertical, weighted", part(weighted), rate));
-    power.curves.push_back(density("lateral", part(history.seat_y), rate));
-    power.curves.push_back(density("longitudinal", part(history.seat_x), rate));
-    io::Chart seat{"Vertical acceleration on the seat", "time [s]", "acceleration [m/s^2]", {}};
-    seat.curves.push_back({"not weighted", thinned(history.time), thinned(history.seat_z)});
-    seat.curves.push_back({"weighted", thinned(history.time), thinned(weighted)});
-    io::Chart load{"Wheel loads on the left", "x [m]", "load [N]", {}};
-    for (const straight::Axle& axle : axles) {
-        const std::size_t wheel = axle.wheels.front();
-        load.curves.push_back({axle.name, thinned(history.wheel_x[wheel]), thinned(history.wheel_load[wheel])});
-    }
-    for (auto* chart : {&power, &seat, &load}) outcome.charts.push_back(std::move(*chart));
-}
-
-void add_figures(Outcome& outcome, const History& history, const std::vector<straight::Axle>& axles, double from,
-                 double to) {
-    const ride::Comfort comfort = ride::felt(history, from, to);
-    ride::add_figures(outcome, comfort);
-    outcome.notes.push_back(fmt::format("a total value of {:.2f} m/s^2: {}, as ISO 2631-1 (annex C) puts it",
-                                        comfort.total, called(comfort.total)));
-    outcome.figures.push_back({"mean speed", "km/h", "on the stretch",
-                               straight::mean(ride::between(history, history.speed, from, to)) / kilometer_per_hour});
-    for (const straight::Axle& axle : axles) {
-        const ride::Loads loads = ride::loads(history, axle, from, to);
-        outcome.figures.push_back({"load variation of " + axle.name, "%",
-                                   "standard deviation of a wheel's load over its mean",
-                                   100 * loads.deviation / loads.mean});
-        outcome.figures.push_back({"least load of " + axle.name, "%", "of its mean; 0: the wheel leaves the road",
-                                   100 * loads.least / loads.mean});
+void add_charts(TestRun& test, const Recording& recording, const std::vector<Axle>& axles, double from, double to) {
+    const Series z = recording[channel::seat_z];
+    const std::vector<double> weighted = ride_weighted(RideWeighting::vertical, z.values, z.rate);
+    const auto spectrum = [&](const std::string& label, const Series& series) {
+        return density(label, ride::within(series, from, to), series.rate);
+    };
+    io::Chart& power = test.chart(
+        "Spectrum of the seat's acceleration", "frequency [Hz]", "density [(m/s^2)^2/Hz]",
+        {spectrum("vertical", z), spectrum("vertical, weighted", {weighted, z.rate, z.start}),
+         spectrum("lateral", recording[channel::seat_y]), spectrum("longitudinal", recording[channel::seat_x])});
+    power.log_x = power.log_y = true;
+    test.chart("Vertical acceleration on the seat", "time [s]", "acceleration [m/s^2]",
+               {curve("not weighted", recording.time(), z.values), curve("weighted", recording.time(), weighted)});
+    io::Chart& load = test.chart("Wheel loads on the left", "x [m]", "load [N]");
+    for (const Axle& axle : axles) {
+        const std::string& wheel = axle.wheels.front();
+        load.curves.push_back(curve(axle.name, recording[channel::contact_x(wheel)].values,
+                                    recording[channel::wheel_load(wheel)].values));
     }
 }
 
-Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, const ManeuverOptions& options) {
-    Outcome outcome;
-    const Drive along = along_the_road(vehicle, chosen, options);
-    Trial trial = drive(vehicle, along.scenario, ride::trial_options(options));
-    ride::thin_out(trial.film, trial.history);
-    const bool whole = take_whole(outcome, trial);
-    const Series x = straight::series(trial.history, trial.history.x);
-    const auto from = first_crossing(x, along.stretch.begin, Crossing::rising);
-    const auto to = first_crossing(x, along.stretch.end, Crossing::rising);
-    constexpr double least = 1;  // of the rough road, that something can be said about [s]
-    if (!from || trial.history.time.back() < *from + least) {
-        if (whole) outcome.failed = "it did not get along the road";
-        return outcome;
+void add_figures(TestRun& test, const Recording& recording, const std::vector<Axle>& axles, double from, double to) {
+    const ride::Comfort comfort = ride::felt(recording, from, to);
+    ride::add_figures(test, comfort);
+    test.note("a total value of {:.2f} m/s^2: {}, as ISO 2631-1 (annex C) puts it", comfort.total,
+              called(comfort.total));
+    test.figure("mean speed", "km/h", mean(ride::within(recording[channel::speed], from, to)) / kilometer_per_hour,
+                "on the stretch");
+    for (const Axle& axle : axles) {
+        const ride::Loads loads = ride::loads(recording, axle, from, to);
+        test.figure("load variation of " + axle.name, "%", 100 * loads.deviation / loads.mean,
+                    "standard deviation of a wheel's load over its mean");
+        test.figure("least load of " + axle.name, "%", 100 * loads.min / loads.mean,
+                    "of its mean; 0: the wheel leaves the road");
+    }
+}
+
+void run(TestRun& test) {
+    const std::vector<Axle> all = axles(test.vehicle);
+    const Plan plan = along_the_road(test, all);
+    Drive drive = test.drive(plan.scenario, ride::drive_options);
+    const bool whole = test.take_whole(drive);
+    const Recording& recording = drive.recording;
+    const Series x = recording[channel::x];
+    const auto from = first_crossing(x, plan.stretch.begin, Crossing::rising);
+    const auto to = first_crossing(x, plan.stretch.end, Crossing::rising);
+    constexpr double shortest = 1;  // of the rough road, that something can be said about [s]
+    if (!from || recording.end() < *from + shortest) {
+        if (whole) test.fail("it did not get along the road");
+        return;
     }
     if (whole && !to) {
-        outcome.failed = fmt::format("after {:.0f} s it had come {:.0f} m along the road", trial.history.time.back(),
-                                     trial.history.x.back() - along.stretch.begin);
+        test.fail("after {:.0f} s it had come {:.0f} m along the road", recording.end(),
+                  x.values.back() - plan.stretch.begin);
     }
-    const double until = to.value_or(trial.history.time.back());
-    const std::vector<straight::Axle> axles = straight::axles(vehicle);
-    add_figures(outcome, trial.history, axles, *from, until);
-    add_charts(outcome, trial.history, axles, *from, until);
-    return outcome;
+    const double until = to.value_or(recording.end());
+    add_figures(test, recording, all, *from, until);
+    add_charts(test, recording, all, *from, until);
 }
 
 }  // namespace
@@ -181,9 +160,7 @@ Maneuver rough_road() {
             .standard = "ISO 8608 / ISO 2631-1",
             .summary = "Along a random road of a class: the comfort on the seat and the loads of the wheels.",
             .settings = settings,
-            .obstacle = obstacle,
-            .drive = drive_it,
-            .course = [](const VehicleDescription&, const Settings&) { return Course{}; }};
+            .run = run};
 }
 
 }  // namespace hamilcar

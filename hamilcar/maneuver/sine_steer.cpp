@@ -1,11 +1,8 @@
 // ISO 7401, sinusoidal input: first one period, from straight ahead; then sines of one amplitude that go on until all has
 // settled, one frequency after the other, which give the frequency response line by line.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "hamilcar/analysis/spectrum.hpp"
 #include "hamilcar/maneuver/catalog.hpp"
@@ -15,7 +12,6 @@ namespace hamilcar {
 
 namespace {
 
-constexpr double interval = 0.005;  // between rows [s]
 constexpr std::array frequencies{0.2, 0.25, 0.4, 0.5, 0.625, 0.8,
                                  1.0, 1.25, 1.6, 2.0, 2.5,   4.0};  // [Hz]; whole rows to a period
 constexpr double measured = 2;                                      // of each frequency, and at least one period [s]
@@ -32,7 +28,8 @@ std::vector<Setting> settings(const VehicleDescription& vehicle) {
              heavy ? 6.0 : 3.0, 0.5, 30}};
 }
 
-SignalDescription period(double angle, double frequency, double after) {
+SignalDescription period(double angle, double frequency) {
+    constexpr double after = 3;  // the period [s]
     return tabulated(
         [&](double time) {
             const double since = time - straight_ahead;
@@ -43,48 +40,30 @@ SignalDescription period(double angle, double frequency, double after) {
 }
 
 // What one output does in the period: its two peaks after those of the steering wheel.
-struct PeakPair {
-    double first = 0, second = 0;          // in magnitude [unit]
-    double first_lag = 0, second_lag = 0;  // behind the steering wheel's own [s]
-};
-
-PeakPair peaks_of(const History& history, const std::vector<double>& column, double frequency) {
-    const Series steering = series_of(history, history.steering_wheel), output = series_of(history, column);
-    const double middle = straight_ahead + 0.5 / frequency;
+void add_peaks(TestRun& test, const Recording& recording, const std::string& of, const std::string& unit,
+               const char* channel, double angle) {
+    const Series steering = recording[channel::steering_wheel], output = recording[channel];
+    const double half = 0.5 / test["frequency"], middle = straight_ahead + half;
     const auto steered_first = peak(steering, Extreme::highest, straight_ahead, middle);
-    const auto steered_second = peak(steering, Extreme::lowest, middle, middle + 0.5 / frequency);
-    const auto first = peak(output, Extreme::highest, straight_ahead, middle + 0.5 / frequency);
+    const auto steered_second = peak(steering, Extreme::lowest, middle, middle + half);
+    const auto first = peak(output, Extreme::highest, straight_ahead, middle + half);
     const auto second = peak(output, Extreme::lowest, middle);
-    if (!steered_first || !steered_second || !first || !second) {
-        constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        return {none, none, none, none};
-    }
-    return {first->value, -second->value, first->time - steered_first->time, second->time - steered_second->time};
+    const bool seen = steered_first && steered_second && first && second;
+    const double mean = seen ? 0.5 * (first->value - second->value) : not_shown;
+    test.figure(of + " peak", unit, mean, "mean of both peaks of the single period");
+    test.figure(of + " peak gain", unit + "/deg", mean / (angle / degree), "that over the steering wheel's amplitude");
+    test.figure(of + " first lag", "s", seen ? first->time - steered_first->time : not_shown,
+                "of the first peak behind the steering wheel's");
+    test.figure(of + " second lag", "s", seen ? second->time - steered_second->time : not_shown, "of the second peak");
 }
 
-void add_period(const History& history, double angle, double frequency, Outcome& outcome) {
-    const auto add = [&](const std::string& of, const std::string& unit, double factor,
-                         const std::vector<double>& column) {
-        const PeakPair peaks = peaks_of(history, column, frequency);
-        const double mean = 0.5 * (peaks.first + peaks.second) * factor;
-        outcome.figures.push_back({of + " peak", unit, "mean of both peaks of the single period", mean});
-        outcome.figures.push_back(
-            {of + " peak gain", unit + "/deg", "that over the steering wheel's amplitude", mean / (angle / degree)});
-        outcome.figures.push_back(
-            {of + " first lag", "s", "of the first peak behind the steering wheel's", peaks.first_lag});
-        outcome.figures.push_back({of + " second lag", "s", "of the second peak", peaks.second_lag});
-    };
-    add("yaw rate", "deg/s", 1 / degree, history.yaw_rate);
-    add("lateral acceleration", "m/s^2", 1, history.lateral_acceleration);
-    const auto curve = [&](const std::string& label, const std::vector<double>& column, double factor) {
-        return io::Curve{.label = label, .x = history.time, .y = scaled(column, factor)};
-    };
-    outcome.charts.push_back({.title = "single period",
-                              .x_label = "time [s]",
-                              .y_label = "angle [deg], rate [deg/s], acceleration [m/s^2]",
-                              .curves = {curve("steering wheel angle", history.steering_wheel, 1 / degree),
-                                         curve("yaw rate", history.yaw_rate, 1 / degree),
-                                         curve("lateral acceleration", history.lateral_acceleration, 1)}});
+void add_period(TestRun& test, const Recording& recording, double angle) {
+    add_peaks(test, recording, "yaw rate", "deg/s", channel::yaw_rate, angle);
+    add_peaks(test, recording, "lateral acceleration", "m/s^2", channel::lateral_acceleration, angle);
+    test.chart("single period", "time [s]", "angle [deg], rate [deg/s], acceleration [m/s^2]",
+               {over_time(recording, "steering wheel angle", channel::steering_wheel),
+                over_time(recording, "yaw rate", channel::yaw_rate),
+                over_time(recording, "lateral acceleration", channel::lateral_acceleration)});
 }
 
 // One frequency of the sweep; whole periods throughout, so that the angle goes on evenly.
@@ -113,47 +92,37 @@ SignalDescription sweep(const std::vector<Tone>& tones, double angle) {
         std::ceil(tones.back().to));
 }
 
-SteeringGain gain_of(const History& history, const std::vector<Tone>& tones) {
-    SteeringGain out;
-    const double rate = series_of(history, history.time).rate;
-    for (const Tone& tone : tones) {
-        const std::size_t first = row_at(history, tone.measured_from), count = row_at(history, tone.to) - first + 1;
-        const auto part = [&](const std::vector<double>& column) { return std::span(column).subspan(first, count); };
-        const auto response = [&](const std::vector<double>& column) {
-            return response_at(part(history.steering_wheel), part(column), rate, tone.frequency);
-        };
-        out.frequency.push_back(tone.frequency);
-        out.yaw_rate.push_back(response(history.yaw_rate));
-        out.lateral_acceleration.push_back(response(history.lateral_acceleration));
+Answer answer_of(const Recording& recording, const SteeredOutput& output, const std::vector<Tone>& tones) {
+    Answer out;
+    for (const auto& [frequency, from, measured_from, to] : tones) {
+        const auto steered = between(recording[channel::steering_wheel], measured_from, to),
+                   answered = between(recording[output.channel], measured_from, to);
+        out.add(frequency, response_at(steered.values, answered.values, recording.rate(), frequency));
     }
     return out;
 }
 
-Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, const ManeuverOptions& options) {
-    Outcome outcome;
-    const double speed = chosen.at("speed") * kilometer_per_hour, frequency = chosen.at("frequency");
-    const auto amplitude = [&](const std::string& setting) {
-        const Amplitude found = amplitude_for(vehicle, speed, chosen.at(setting));
-        if (!found.note.empty()) outcome.notes.push_back(found.note);
-        return found.angle;
-    };
-    const double small = amplitude("sweep_lateral_acceleration"), angle = amplitude("lateral_acceleration");
-    const std::vector<Tone> planned = tones(chosen.at("sweep_settling"));
-    ScenarioDescription scenario = steered_at(vehicle, options, speed, sweep(planned, small));
+void run(TestRun& test) {
+    const double speed = test["speed"];
+    const double small = angle_for(test, speed, test["sweep_lateral_acceleration"]);
+    const double angle = angle_for(test, speed, test["lateral_acceleration"]);
+    const std::vector<Tone> planned = tones(test["sweep_settling"]);
+    ScenarioDescription scenario = steered_at(test, speed, sweep(planned, small));
     scenario.name = "sweep";
-    Trial swept = drive_share(vehicle, scenario, options, interval, {0, 1 - share_of_period});
-    if (!take_whole(outcome, swept)) return outcome;
-    const SteeringGain found = gain_of(swept.history, planned);
-    add_gain(found, lowest_gain(found), theoretical_gain(vehicle, speed, found.frequency), outcome);
-    constexpr double after = 3;  // the period [s]
-    scenario = steered_at(vehicle, options, speed, period(angle, frequency, after));
+    Drive swept = test.drive(scenario, {.share = {0, 1 - share_of_period}});
+    if (!test.take_whole(swept)) return;
+    for (const SteeredOutput& output : steered_outputs) {
+        const Answer found = answer_of(swept.recording, output, planned);
+        add_answer(test, output, found, lowest_gain(found),
+                   theoretical_answer(test.vehicle, speed, output, found.frequency));
+    }
+    scenario = steered_at(test, speed, period(angle, test["frequency"]));
     scenario.name = "single period";
-    Trial trial = drive_share(vehicle, scenario, options, interval, {1 - share_of_period, 1});
-    if (!take_whole(outcome, trial)) return outcome;
-    add_period(trial.history, angle, frequency, outcome);
-    outcome.figures.push_back({"steering wheel angle", "deg", "amplitude of the single period", angle / degree});
-    outcome.verdicts.push_back(speed_held(trial.history, speed, straight_ahead - 1, straight_ahead));
-    return outcome;
+    Drive drive = test.drive(scenario, {.share = {1 - share_of_period, 1}});
+    if (!test.take_whole(drive)) return;
+    add_period(test, drive.recording, angle);
+    test.figure("steering wheel angle", "deg", angle / degree, "amplitude of the single period");
+    judge_speed(test, drive.recording);
 }
 
 }  // namespace
@@ -164,9 +133,8 @@ Maneuver sine_steer() {
             .standard = "ISO 7401",
             .summary = "One period of a sine, and lasting sines of many frequencies: lags and the frequency response.",
             .settings = settings,
-            .obstacle = needs_steering_and_drive,
-            .drive = drive_it,
-            .course = [](const VehicleDescription&, const Settings&) { return Course{}; }};
+            .unsupported_reason = needs_steering_and_drive,
+            .run = run};
 }
 
 }  // namespace hamilcar

@@ -1,30 +1,26 @@
 // FMVSS 126 (49 CFR 571.126) and UN R140: coasting at 80 km/h, one period of a 0.7 Hz sine of the steering wheel with a dwell
 // of 500 ms at its second peak, in growing amplitudes and both directions. Whether the yaw rate dies away afterwards tells
 // stability, how far aside the vehicle gets tells whether it answers at all.
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "hamilcar/maneuver/catalog.hpp"
-#include "hamilcar/maneuver/sine_with_dwell_limits.hpp"
+#include "hamilcar/maneuver/dwell.hpp"
 #include "hamilcar/maneuver/slow_steer.hpp"
-#include "hamilcar/maneuver/straight.hpp"
 
 namespace hamilcar {
 
 namespace {
 
-using dwell::Driven, dwell::early, dwell::late, dwell::early_limit, dwell::late_limit;
+using dwell::Run, dwell::early, dwell::late, dwell::early_limit, dwell::late_limit;
 
 constexpr double first_amplitude = 1.5, step = 0.5;  // [A]
 constexpr double last_amplitude = 6.5;               // [A]; or, if that is more,
-constexpr double least_last = 270 * degree, most = 300 * degree;
+constexpr double min_last = 270, max_last = 300;     // [deg]
 
 // Multiples of A from the first to the last, thinned evenly to at most `count` (0: all), the last always among them.
 std::vector<double> factors(double angle, double lock, int count) {
-    const double last = std::min({std::max(last_amplitude * angle, least_last), most, lock}) / angle;
+    const double last = std::min({std::max(last_amplitude * angle, min_last), max_last, lock}) / angle;
     std::vector<double> all;
     for (double factor = first_amplitude; factor < last - 1e-9; factor += step) all.push_back(factor);
     all.push_back(last);
@@ -35,93 +31,57 @@ std::vector<double> factors(double angle, double lock, int count) {
     return out;
 }
 
-template <class Value>
-io::Chart over_amplitude(const std::vector<Driven>& runs, const std::string& title, const std::string& label,
-                         Value&& value) {
-    io::Chart chart{.title = title, .x_label = "amplitude of the steering wheel [deg]", .y_label = label};
-    for (const double side : {1.0, -1.0}) {
-        io::Curve curve{.label = side > 0 ? "left first" : "right first", .points = true};
-        for (const Driven& run : runs) {
-            if (run.amplitude * side < 0) continue;
-            curve.x.push_back(std::abs(run.amplitude) / degree), curve.y.push_back(value(run));
-        }
-        chart.curves.push_back(std::move(curve));
-    }
-    return chart;
-}
-
-void add_charts(const VehicleDescription& vehicle, const std::vector<Driven>& runs, Outcome& outcome) {
-    const auto limit = [](double value, const std::string& unit) {
-        return std::vector<std::pair<double, std::string>>{{value, fmt::format("limit {:g} {}", value, unit)}};
+void add_charts(TestRun& test, const std::vector<Run>& runs) {
+    const auto add = [&](const std::string& title, const std::string& label, double limit, const char* unit,
+                         double Run::*value) {
+        test.chart(title, "amplitude of the steering wheel [deg]", label,
+                   over_runs_by_side(runs, &Run::amplitude, &Run::size, value))
+            .horizontal_marks = {{limit, fmt::format("limit {:g} {}", limit, unit)}};
     };
-    outcome.charts.push_back(over_amplitude(runs, "Yaw rate 1 s after completion of steer", "over its peak [%]",
-                                            [](const Driven& run) { return run.early; }));
-    outcome.charts.back().horizontal_marks = limit(early_limit, "%");
-    outcome.charts.push_back(over_amplitude(runs, "Yaw rate 1.75 s after completion of steer", "over its peak [%]",
-                                            [](const Driven& run) { return run.late; }));
-    outcome.charts.back().horizontal_marks = limit(late_limit, "%");
-    outcome.charts.push_back(over_amplitude(runs, "Lateral displacement 1.07 s after the beginning of steer",
-                                            "displacement [m]", [](const Driven& run) { return run.displacement; }));
-    outcome.charts.back().horizontal_marks = limit(dwell::displacement_limit(vehicle), "m");
+    add("Yaw rate 1 s after completion of steer", "over its peak [%]", early_limit, "%", &Run::early);
+    add("Yaw rate 1.75 s after completion of steer", "over its peak [%]", late_limit, "%", &Run::late);
+    add("Lateral displacement 1.07 s after the beginning of steer", "displacement [m]",
+        dwell::displacement_limit(test.vehicle), "m", &Run::displacement);
 }
 
-// How the run with the largest amplitude went in each direction.
-class Histories {
-public:
-    void add(const History& h, double amplitude) {
-        const double rate = row_rate(h), from = h.y[row_at(h, dwell::steering)];
-        std::vector<double> aside = h.y;
-        for (double& y : aside) y -= from;
-        const std::string label = amplitude > 0 ? "left first" : "right first";
-        const std::vector<double> columns[] = {straight::scaled(h.steering_wheel, 1 / degree),
-                                               straight::scaled(h.yaw_rate, 1 / degree),
-                                               smoothed(h.lateral_acceleration, rate), aside};
-        for (std::size_t i = 0; i < charts_.size(); ++i) {
-            charts_[i].curves.push_back({.label = label, .x = h.time, .y = columns[i]});
+// The drives with the largest amplitudes over time, with the instants at which the yaw rate is read.
+void add_time_charts(TestRun& test, const std::vector<Recording>& largest) {
+    const auto add = [&](const std::string& title, const std::string& label, auto&& values) {
+        io::Chart& chart = test.chart(title + ", largest amplitude", "time [s]", label);
+        for (const Recording& recording : largest) {
+            const std::string side = &recording == &largest.front() ? "left first" : "right first";
+            chart.curves.push_back({.label = side, .x = recording.time(), .y = values(recording)});
         }
-    }
-    // With the instants at which the yaw rate is read.
-    void add_to(Outcome& outcome) const {
-        for (io::Chart chart : charts_) {
-            chart.x_label = "time [s]";
-            chart.vertical_marks = {{dwell::end + early, fmt::format("{:g} s after completion of steer", early)},
-                                    {dwell::end + late, fmt::format("{:g} s after", late)}};
-            outcome.charts.push_back(std::move(chart));
-        }
-    }
-
-private:
-    std::array<io::Chart, 4> charts_{
-        {{.title = "Steering wheel, largest amplitude", .y_label = "angle [deg]"},
-         {.title = "Yaw rate, largest amplitude", .y_label = "yaw rate [deg/s]"},
-         {.title = "Lateral acceleration below 6 Hz, largest amplitude", .y_label = "lateral acceleration [m/s^2]"},
-         {.title = "Lateral displacement of the path, largest amplitude", .y_label = "displacement [m]"}}};
-};
-
-template <class Value>
-double largest(const std::vector<Driven>& runs, Value&& value) {
-    double out = 0;
-    for (const Driven& run : runs) out = std::isnan(value(run)) ? out : std::max(out, value(run));
-    return out;
-}
-
-void add_figures(const std::vector<Driven>& runs, Outcome& outcome) {
-    const auto add = [&](const std::string& name, const std::string& unit, double value, const std::string& meaning) {
-        outcome.figures.push_back({name, unit, meaning, value});
+        chart.vertical_marks = {{dwell::end + early, fmt::format("{:g} s after completion of steer", early)},
+                                {dwell::end + late, fmt::format("{:g} s after", late)}};
     };
-    add("largest amplitude", "deg", largest(runs, [](const Driven& run) { return std::abs(run.amplitude); }) / degree,
-        "of the steering wheel");
-    add("yaw rate ratio after 1 s", "%", largest(runs, [](const Driven& run) { return run.early; }),
-        "yaw rate 1 s after completion of steer over its second peak, the largest of all runs");
-    add("yaw rate ratio after 1.75 s", "%", largest(runs, [](const Driven& run) { return run.late; }),
-        "yaw rate 1.75 s after completion of steer over its second peak, the largest of all runs");
-    const Driven& last = runs.back();
-    add("lateral displacement", "m", last.displacement,
-        "1.07 s after the beginning of steer, twice the integral of lateral acceleration; last run");
-    add("lateral displacement of the path", "m", last.path,
-        "likewise, of the center of mass across its first heading; last run");
-    add("largest sideslip angle", "deg", largest(runs, [](const Driven& run) { return run.sideslip; }) / degree,
-        "of the center of mass, of all runs");
+    add("Steering wheel", "angle [deg]",
+        [](const Recording& r) { return scaled(r[channel::steering_wheel].values, 1); });
+    add("Yaw rate", "yaw rate [deg/s]", [](const Recording& r) { return scaled(r[channel::yaw_rate].values, 1); });
+    add("Lateral acceleration below 6 Hz", "lateral acceleration [m/s^2]",
+        [](const Recording& r) { return smoothed(r[channel::lateral_acceleration]); });
+    add("Lateral displacement of the path", "displacement [m]", [](const Recording& r) {
+        const Series y = r[channel::y];
+        return shifted(y.values, -y.values[sample_at(y, dwell::steering)]);
+    });
+}
+
+void add_figures(TestRun& test, const std::vector<Run>& runs) {
+    const auto largest = [&](auto value) {  // of all runs that show it
+        double out = 0;
+        for (const Run& run : runs) out = std::fmax(out, std::invoke(value, run));
+        return out;
+    };
+    test.figure("largest amplitude", "deg", largest(&Run::size), "of the steering wheel");
+    test.figure("yaw rate ratio after 1 s", "%", largest(&Run::early),
+                "yaw rate 1 s after completion of steer over its second peak, the largest of all runs");
+    test.figure("yaw rate ratio after 1.75 s", "%", largest(&Run::late),
+                "yaw rate 1.75 s after completion of steer over its second peak, the largest of all runs");
+    test.figure("lateral displacement", "m", runs.back().displacement,
+                "1.07 s after the beginning of steer, twice the integral of lateral acceleration; last run");
+    test.figure("lateral displacement of the path", "m", runs.back().path,
+                "likewise, of the center of mass across its first heading; last run");
+    test.figure("largest sideslip angle", "deg", largest(&Run::sideslip), "of the center of mass, of all runs");
 }
 
 std::vector<Setting> settings(const VehicleDescription&) {
@@ -130,53 +90,43 @@ std::vector<Setting> settings(const VehicleDescription&) {
              SettingKind::whole}};
 }
 
-Outcome drive_all(const VehicleDescription& vehicle, const Settings& settings, const ManeuverOptions& options) {
+void run(TestRun& test) {
     constexpr double slow_share = 0.2;  // of the maneuver [1]
-    const double speed = settings.at("speed") * kilometer_per_hour, lock = steering_lock(vehicle);
-    Outcome outcome;
-    const SlowSteer test = slow_steer(vehicle, options, speed, 0, slow_share, outcome);
-    if (test.failed) {
-        outcome.failed = test.failed;
-        return outcome;
+    const auto slow = slow_steer(test, test["speed"], {0, slow_share});
+    if (!slow) return;
+    const double lock = steering_lock(test.vehicle) / degree;
+    if (std::max(last_amplitude * slow->angle, min_last) > lock && lock < max_last) {
+        test.note("the steering wheel's lock at {:.0f} deg ends the series", lock);
     }
-    add_slow_steer(test, outcome);
-    if (std::max(last_amplitude * test.angle, least_last) > lock && lock < most) {
-        outcome.notes.push_back(fmt::format("the steering wheel's lock at {:.0f} deg ends the series", lock / degree));
-    }
-    const auto wanted = factors(test.angle, lock, static_cast<int>(settings.at("amplitudes")));
-    const double count = 2.0 * static_cast<double>(wanted.size());
-    std::vector<Driven> runs;
-    Histories histories;
+    const auto wanted = factors(slow->angle, lock, static_cast<int>(test["amplitudes"]));
+    const double width = (1 - slow_share) / (2.0 * static_cast<double>(wanted.size()));
+    std::vector<Run> runs;
+    std::vector<Recording> largest;
     std::vector<double> fallen;  // amplitudes at which it fell over [deg]
     for (const double side : {1.0, -1.0}) {
         for (const double factor : wanted) {
-            const auto part = [&](double n) { return slow_share + (1 - slow_share) * n / count; };
-            const double n = static_cast<double>(runs.size());
-            const dwell::Run planned{.amplitude = side * factor * test.angle, .factor = factor};
+            const double from = slow_share + static_cast<double>(runs.size()) * width;
+            const Run planned{.amplitude = side * factor * slow->angle, .factor = factor};
             const bool last = factor == wanted.back();
-            Trial trial = dwell::drive_run(vehicle, options, speed, planned, last && options.keep_runs,
-                                           share(options, part(n), part(n + 1)));
-            if (trial.breaks_off()) {
-                add_trial(outcome, std::move(trial));
-                return outcome;
+            Drive drive = dwell::drive(test, test["speed"], planned, {.share = {from, from + width}, .replay = last});
+            if (!drive.breaks_off()) {
+                runs.push_back(dwell::evaluated(drive.recording, planned.amplitude, factor));
+                if (drive.stopped == Stopped::fell_over) fallen.push_back(std::abs(planned.amplitude));
+                drive.stopped = Stopped::no;  // told once for all runs
+                drive.warnings.clear();       // that a coasting car does not hold its speed
             }
-            runs.push_back(dwell::driven(trial.history, planned.amplitude, factor));
-            if (last) histories.add(trial.history, planned.amplitude);
-            if (trial.stopped == Stopped::fell_over) fallen.push_back(std::abs(planned.amplitude) / degree);
-            trial.stopped = Stopped::no;  // told once for all runs
-            trial.complaints.clear();     // that a coasting car does not hold its speed
-            add_trial(outcome, std::move(trial));
+            if (!test.take(drive)) return;
+            if (last) largest.push_back(std::move(drive.recording));
         }
     }
     if (!fallen.empty()) {
-        outcome.notes.push_back(fmt::format("{} of {} runs: the vehicle fell over, from {:.0f} deg on", fallen.size(),
-                                            runs.size(), std::ranges::min(fallen)));
+        test.note("{} of {} runs: the vehicle fell over, from {:.0f} deg on", fallen.size(), runs.size(),
+                  std::ranges::min(fallen));
     }
-    add_figures(runs, outcome);
-    dwell::add_verdicts(vehicle, runs, outcome);
-    add_charts(vehicle, runs, outcome);
-    histories.add_to(outcome);
-    return outcome;
+    add_figures(test, runs);
+    dwell::add_verdicts(test, runs);
+    add_charts(test, runs);
+    add_time_charts(test, largest);
 }
 
 }  // namespace
@@ -189,9 +139,8 @@ Maneuver sine_with_dwell() {
                 "A sine of the steering wheel that pauses at its second peak: whether the vehicle stays stable and "
                 "answers.",
             .settings = settings,
-            .obstacle = needs_steering_and_drive,
-            .drive = drive_all,
-            .course = [](const VehicleDescription&, const Settings&) { return Course(); }};
+            .unsupported_reason = needs_steering_and_drive,
+            .run = run};
 }
 
 }  // namespace hamilcar

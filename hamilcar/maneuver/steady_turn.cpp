@@ -1,21 +1,15 @@
 #include "hamilcar/maneuver/steady_turn.hpp"
 
-#include <fmt/format.h>
-
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "hamilcar/analysis/curves.hpp"
 #include "hamilcar/analysis/handling.hpp"
-#include "hamilcar/maneuver/runs.hpp"
 
 namespace hamilcar {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> column(const std::vector<SteadyTurn>& states, const std::function<double(const SteadyTurn&)>& of) {
     std::vector<double> out;
@@ -23,52 +17,19 @@ std::vector<double> column(const std::vector<SteadyTurn>& states, const std::fun
     return out;
 }
 
-io::Chart chart(const std::string& title, const std::string& y_label, const std::vector<double>& x,
-                std::vector<double> y) {
-    return {.title = title,
-            .x_label = "lateral acceleration [m/s^2]",
-            .y_label = y_label,
-            .curves = {{.label = title, .x = x, .y = std::move(y), .points = true}}};
-}
-
-// f and s of y = f base + s x + q x^2 + k x^3 by least squares, for x up to `most`; with x^4 where points are many.
-std::array<double, 2> fit_from_zero(std::span<const double> base, std::span<const double> x, std::span<const double> y,
-                                    double most) {
-    std::vector<std::size_t> used;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        if (std::abs(x[i]) <= most && std::isfinite(y[i])) used.push_back(i);
-    }
-    constexpr Eigen::Index many = 20;
-    const auto rows = static_cast<Eigen::Index>(used.size()), terms = rows >= many ? Eigen::Index{5} : Eigen::Index{4};
-    if (rows <= terms) return {none, none};
-    Eigen::MatrixXd regressors(rows, terms);
-    Eigen::VectorXd right(rows);
-    for (Eigen::Index row = 0; row < rows; ++row) {
-        const std::size_t i = used[static_cast<std::size_t>(row)];
-        regressors(row, 0) = base[i];
-        for (Eigen::Index k = 1; k < terms; ++k) {
-            regressors(row, k) = (k == 1 ? 1 : regressors(row, k - 1)) * x[i] / most;  // of order one
-        }
-        right[row] = y[i];
-    }
-    const Eigen::VectorXd fit = regressors.colPivHouseholderQr().solve(right);
-    return {fit[0], fit[1] / most};
-}
-
 }  // namespace
 
-SteadyTurn steady_turn(const History& history, double from, double to) {
-    const auto mean = [&](const std::vector<double>& values) { return mean_over(history, values, from, to); };
-    const bool felt = history.steering_torque.size() == history.size();
-    const double speed = mean(history.speed);
+SteadyTurn steady_turn(const Recording& recording, double from, double to) {
+    const auto mean_of = [&](const char* channel) { return mean(between(recording[channel], from, to).values); };
+    const double speed = mean_of(channel::speed);
     return {.time = (from + to) / 2,
             .speed = speed,
-            .yaw_rate = mean(history.yaw_rate),
-            .acceleration = mean(history.lateral_acceleration),
-            .steering_wheel = mean(history.steering_wheel),
-            .torque = felt ? mean(history.steering_torque) : none,
-            .roll = mean(history.roll),
-            .sideslip = std::atan2(mean(history.lateral_velocity), speed)};
+            .yaw_rate = mean_of(channel::yaw_rate) * degree,
+            .acceleration = mean_of(channel::lateral_acceleration),
+            .steering_wheel = mean_of(channel::steering_wheel),
+            .torque = mean_of(channel::steering_torque),
+            .roll = mean_of(channel::roll),
+            .sideslip = std::atan2(mean_of(channel::lateral_speed), speed) / degree};
 }
 
 bool SteadyTurn::settled() const {
@@ -76,23 +37,49 @@ bool SteadyTurn::settled() const {
     return std::abs(lateral_acceleration() - acceleration) <= alike * std::abs(acceleration) + slow;
 }
 
-void delay(Stairs& stairs, double by) {
-    for (std::size_t i = 1; i < stairs.signal.time.size(); ++i) stairs.signal.time[i] += by;
-    for (double& end : stairs.rests) end += by;
-}
-
-Stairs stairs(const std::vector<double>& levels, const std::function<double(std::size_t)>& ramp, double rest) {
+Stairs stairs(const std::vector<double>& accelerations, double radius, double rest, double turning,
+              const std::function<double(const std::vector<double>&, std::size_t)>& ramp) {
     Stairs out;
+    for (const double a : accelerations) out.speeds.push_back(std::sqrt(radius * a));
     out.signal.interpolation = Interpolation::linear;
+    out.begun = turning + std::numbers::pi / 2 * radius / out.speeds.front();
     double time = 0;
-    for (std::size_t i = 0; i < levels.size(); ++i) {
-        for (const double at : {time, time + rest}) {
-            out.signal.time.push_back(at), out.signal.value.push_back(levels[i]);
-        }
-        out.rests.push_back(time + rest);
-        time += rest + (i + 1 < levels.size() ? ramp(i) : 0);
+    for (std::size_t i = 0; i < out.speeds.size(); ++i) {
+        out.signal.time.insert(out.signal.time.end(), {i == 0 ? 0 : time + out.begun, time + rest + out.begun});
+        out.signal.value.insert(out.signal.value.end(), 2, out.speeds[i]);
+        out.rests.push_back(out.signal.time.back());
+        time += rest + (i + 1 < out.speeds.size() ? ramp(out.speeds, i) : 0);
     }
     return out;
+}
+
+ScenarioDescription climbing(const TestRun& test, const Stairs& stairs, double radius) {
+    ScenarioDescription scenario = driving_at(test, stairs.speeds.front(), stairs.rests.back());
+    scenario.driver.speed->speed = stairs.signal;
+    if (scenario.driver.shifting) scenario.driver.shifting->gear = steady_gear(test.vehicle, radius);
+    scenario.driver.ending.roll = steady_roll_limit;
+    return scenario;
+}
+
+std::vector<SteadyTurn> rests_of(const Recording& recording, const Stairs& stairs,
+                                 const std::function<bool(const SteadyTurn&, double)>& is_lost) {
+    std::vector<SteadyTurn> out;
+    for (std::size_t i = 0; i < stairs.speeds.size() && stairs.rests[i] <= recording.end(); ++i) {
+        const double end = stairs.rests[i];
+        const SteadyTurn rest = steady_turn(recording, end - steady_window, end);
+        if (rest.speed < steady_speed_share * stairs.speeds[i] || is_lost(rest, end)) break;
+        out.push_back(rest);
+    }
+    return out;
+}
+
+Setting rest_setting() {
+    return {"rest", "s", "at each speed; its last second counts", 6, 2, 30};
+}
+
+Setting small_setting(const VehicleDescription& vehicle) {
+    const double small = is_heavy(vehicle) ? 1 : 3;
+    return {"small_lateral_acceleration", "m/s^2", "up to which gradients are fitted", small, 0.3, 10};
 }
 
 std::optional<int> steady_gear(const VehicleDescription& vehicle, double radius) {
@@ -107,109 +94,81 @@ TurningGeometry turning_geometry(const VehicleDescription& vehicle) {
     return {handling.steering_ratio, handling.wheelbase};
 }
 
-double beginning_slope(std::span<const double> x, std::span<const double> y, double most) {
-    const std::vector<double> ones(x.size(), 1);
-    return fit_from_zero(ones, x, y, most)[1];
-}
-
-std::vector<double> local_slopes(std::span<const double> x, std::span<const double> y, double half_width) {
-    std::vector<double> out;
-    for (const double at : x) {
-        std::vector<double> near_x, near_y;
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            if (std::abs(x[i] - at) <= half_width) near_x.push_back(x[i]), near_y.push_back(y[i]);
-        }
-        constexpr std::size_t least = 3;
-        const bool alike = near_x.empty() || std::ranges::max(near_x) - std::ranges::min(near_x) < 0.5 * half_width;
-        out.push_back(near_x.size() < least || alike ? none : fitted_line(near_x, near_y).slope);
-    }
-    return out;
-}
-
-Understeer understeer_of(const SteadyTest& test, const std::vector<SteadyTurn>& states) {
-    const auto a = column(states, &SteadyTurn::lateral_acceleration),
-               curvature = column(states, &SteadyTurn::curvature);
-    const auto angle = column(states, [](const SteadyTurn& s) { return s.steering_wheel; });
-    if (test.fixed_wheel) {
-        const auto [per_curvature, gradient] = fit_from_zero(curvature, a, angle, test.small);
-        return {per_curvature, gradient};
-    }
-    const double base = test.geometry.angle_per_curvature();
-    const auto beyond = column(states, [base](const SteadyTurn& s) { return s.steering_wheel - base * s.curvature(); });
-    return {base, beginning_slope(a, beyond, test.small)};
-}
-
-void evaluate(const SteadyTest& test, const std::vector<SteadyTurn>& states, Outcome& outcome) {
-    const std::vector<double> a = column(states, &SteadyTurn::lateral_acceleration);
-    const Understeer understeer = understeer_of(test, states);
-    const auto in_degrees = [&](const std::function<double(const SteadyTurn&)>& of) {
-        return scaled(column(states, of), 1 / degree);
-    };
-    const std::vector<double> angle = in_degrees([](const SteadyTurn&s) { return s.steering_wheel; }),
-                              roll = in_degrees([](const SteadyTurn&s) { return s.roll; }),
-                              sideslip = in_degrees([](const SteadyTurn&s) { return s.sideslip; }),
-                              torque = column(states, [](const SteadyTurn&s) { return s.torque; }),
-                              beyond = in_degrees([&](const SteadyTurn&s) {
-                                  return s.steering_wheel - understeer.angle_per_curvature * s.curvature();
-                              });
-    const auto slope = [&](const std::vector<double>& y) { return beginning_slope(a, y, test.small); };
-    const double gradient = understeer.gradient / degree;
+void evaluate(TestRun& test, const std::vector<SteadyTurn>& states, double half_width, Steering steering) {
+    const TurningGeometry geometry = turning_geometry(test.vehicle);
+    const double small = test["small_lateral_acceleration"];
+    const std::vector<double> a = column(states, &SteadyTurn::lateral_acceleration),
+                              curvature = column(states, &SteadyTurn::curvature),
+                              angle = column(states, &SteadyTurn::steering_wheel),
+                              roll = column(states, &SteadyTurn::roll),
+                              sideslip = column(states, &SteadyTurn::sideslip),
+                              torque = column(states, &SteadyTurn::torque);
+    const std::vector<double> ones(a.size(), 1);
+    const auto slope = [&](const std::vector<double>& y) { return fit_from_zero(ones, a, y, small)[1]; };
+    // The angle per curvature without lateral acceleration [deg m]: geometry's, or with a held steering wheel what the states
+    // themselves show: delta_H = f kappa + s a + q a^2 + k a^3, which has camber and scrub in it.
+    auto [per_curvature, gradient] = steering == Steering::held ? fit_from_zero(curvature, a, angle, small)
+                                                                : std::array{geometry.angle_per_curvature(), 0.0};
+    std::vector<double> beyond = angle;
+    for (std::size_t i = 0; i < beyond.size(); ++i) beyond[i] -= per_curvature * curvature[i];
+    if (steering == Steering::turned) gradient = slope(beyond);
     if (!std::isfinite(gradient)) {
-        outcome.notes.push_back(
-            fmt::format("too few steady states up to {:g} m/s^2 for gradients: choose smaller steps", test.small));
+        test.note("too few steady states up to {:g} m/s^2 for gradients: choose smaller steps", small);
     }
-    outcome.figures.push_back({"understeer gradient", "deg/(m/s^2)",
-                               "of the steering wheel's angle beyond geometry, at small lateral acceleration",
-                               gradient});
-    outcome.figures.push_back({"understeer gradient of the wheels", "deg/(m/s^2)", "the same over the steering ratio",
-                               gradient / test.geometry.steering_ratio});
-    outcome.figures.push_back({"roll gradient", "deg/(m/s^2)", "roll angle over lateral acceleration", slope(roll)});
-    outcome.figures.push_back({"sideslip gradient", "deg/(m/s^2)",
-                               "sideslip angle of the center of mass over lateral acceleration", slope(sideslip)});
-    const double felt = slope(torque);
-    if (std::isfinite(felt)) {
-        outcome.figures.push_back({"steering torque gradient", "N m/(m/s^2)", "of the hands, without assist", felt});
+    test.figure("understeer gradient", "deg/(m/s^2)", gradient,
+                "of the steering wheel's angle beyond geometry, at small lateral acceleration");
+    test.figure("understeer gradient of the wheels", "deg/(m/s^2)", gradient / geometry.steering_ratio,
+                "the same over the steering ratio");
+    test.figure("roll gradient", "deg/(m/s^2)", slope(roll), "roll angle over lateral acceleration");
+    test.figure("sideslip gradient", "deg/(m/s^2)", slope(sideslip),
+                "sideslip angle of the center of mass over lateral acceleration");
+    const double torque_gradient = slope(torque);
+    if (std::isfinite(torque_gradient)) {
+        test.figure("steering torque gradient", "N m/(m/s^2)", torque_gradient, "of the hands, without assist");
     }
-    io::Chart steering = chart("steering wheel angle", "steering wheel angle [deg]", a, angle);
-    const double per_curvature = test.geometry.angle_per_curvature() / degree;
-    steering.curves.push_back({.label = "by geometry", .x = a, .y = column(states, [&](const SteadyTurn& s) {
-                                                                   return per_curvature * s.curvature();
-                                                               })});
-    outcome.charts.push_back(std::move(steering));
-    outcome.charts.push_back(
-        chart("understeer gradient", "gradient [deg/(m/s^2)]", a, local_slopes(a, beyond, test.half_width)));
-    outcome.charts.push_back(chart("roll angle", "roll angle [deg]", a, roll));
-    outcome.charts.push_back(chart("sideslip angle", "sideslip angle [deg]", a, sideslip));
-    if (std::isfinite(felt)) outcome.charts.push_back(chart("steering torque", "steering torque [N m]", a, torque));
+    const auto chart = [&](const std::string& title, const std::string& y_label, std::vector<double> y) {
+        test.chart(title, "lateral acceleration [m/s^2]", y_label,
+                   {{.label = title, .x = a, .y = std::move(y), .points = true}});
+    };
+    chart("steering wheel angle", "steering wheel angle [deg]", angle);
+    test.outcome.charts.back().curves.push_back(
+        {.label = "by geometry", .x = a, .y = scaled(curvature, geometry.angle_per_curvature())});
+    chart("understeer gradient", "gradient [deg/(m/s^2)]", local_slopes(a, beyond, half_width));
+    chart("roll angle", "roll angle [deg]", roll);
+    chart("sideslip angle", "sideslip angle [deg]", sideslip);
+    if (std::isfinite(torque_gradient)) chart("steering torque", "steering torque [N m]", torque);
 }
 
-double largest_lateral_acceleration(const History& history, const std::function<bool(std::size_t)>& counts) {
+double largest_lateral_acceleration(const Recording& recording, const std::function<bool(std::size_t)>& counts) {
     constexpr double window = 1, alike = 0.03;  // [s]; share by which force and turning may differ
+    const auto acceleration = recording[channel::lateral_acceleration].values, speed = recording[channel::speed].values,
+               yaw_rate = recording[channel::yaw_rate].values;
+    const std::vector<double>& time = recording.time();
     double largest = 0, force = 0, turning = 0;
     std::size_t first = 0;
     const auto add = [&](std::size_t i, double sign) {
-        force += sign * history.lateral_acceleration[i];
-        turning += sign * history.speed[i] * history.yaw_rate[i];
+        force += sign * acceleration[i];
+        turning += sign * speed[i] * yaw_rate[i] * degree;
     };
-    for (std::size_t i = 0; i < history.size(); ++i) {
+    for (std::size_t i = 0; i < time.size(); ++i) {
         if (!counts(i)) {
             first = i + 1, force = turning = 0;
             continue;
         }
         add(i, 1);
-        for (; history.time[i] - history.time[first] > window; ++first) add(first, -1);
-        const bool full = history.time[i] - history.time[first] > 0.9 * window;
+        for (; time[i] - time[first] > window; ++first) add(first, -1);
+        const bool full = time[i] - time[first] > 0.9 * window;
         if (!full || std::abs(turning - force) > alike * std::abs(force)) continue;
         largest = std::max(largest, std::abs(force) / static_cast<double>(i - first + 1));
     }
     return largest;
 }
 
-void finish_steady(Outcome& outcome, Trial trial, std::size_t states) {
-    constexpr std::size_t least = 6;  // of a fit
-    if (trial.ended) outcome.notes.push_back("end of the test: " + *trial.ended);
-    if (add_trial(outcome, std::move(trial)) && states < least) {
-        outcome.failed = fmt::format("only {} steady states were reached, {} are needed", states, least);
+void finish_steady(TestRun& test, Drive& drive, std::size_t states) {
+    constexpr std::size_t needed = 6;  // of a fit
+    if (drive.ended) test.note("end of the test: {}", *drive.ended);
+    if (test.take(drive) && states < needed) {
+        test.fail("only {} steady states were reached, {} are needed", states, needed);
     }
 }
 

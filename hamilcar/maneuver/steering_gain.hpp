@@ -2,43 +2,49 @@
 // and its diagrams and characteristic values.
 #pragma once
 
+#include <array>
 #include <complex>
 
-#include "hamilcar/maneuver/lateral.hpp"
+#include "hamilcar/analysis/steering_wheel_response.hpp"
+#include "hamilcar/maneuver/amplitude.hpp"
 
 namespace hamilcar {
 
-// Responses per radian of the steering wheel; a positive phase leads.
-struct SteeringGain {
-    std::vector<double> frequency;                           // ascending, above zero [Hz]
-    std::vector<std::complex<double>> yaw_rate;              // [1/s]
-    std::vector<std::complex<double>> lateral_acceleration;  // [m/s^2/rad]
-    std::vector<double> yaw_coherence, lateral_coherence;    // [1]; empty where a test has none
+// An output of the vehicle whose answer is looked at.
+struct SteeredOutput {
+    std::string name, unit;  // "yaw rate", "deg/s/deg"
+    const char* channel;
+    LinearOutput by_theory;
+    bool has_peak;  // whether its largest gain, bandwidth and equivalent time are characteristic values
+};
+extern const std::array<SteeredOutput, 2> steered_outputs;  // yaw rate, lateral acceleration
+
+// Of one output, per angle of the steering wheel; a positive phase leads.
+struct Answer {
+    std::vector<double> frequency;               // ascending, above zero [Hz]
+    std::vector<std::complex<double>> response;  // [1/s] or [m/s^2/deg]
+    std::vector<double> coherence;               // [1]; empty where a test has none
+
+    void add(double f, std::complex<double> gain) { frequency.push_back(f), response.push_back(gain); }
 };
 
 // Straight ahead at a speed [m/s], by the exact linearization; empty where there is none.
-SteeringGain theoretical_gain(const VehicleDescription& vehicle, double speed, const std::vector<double>& frequency);
+Answer theoretical_answer(const VehicleDescription& vehicle, double speed, const SteeredOutput& output,
+                          const std::vector<double>& frequency);
 
-// What gains are compared with: those at no frequency, where the test shows them, else those at the lowest one.
-struct SteadyGain {
-    double yaw_rate, lateral_acceleration;  // [1/s], [m/s^2/rad]
-    // Of the line of a spectrum that stands for them; 0: they are steady. Spectra are noisy: a peak that is less than 1 percent
+// What gains are compared with: that at no frequency, where the test shows it, else that at the lowest one.
+struct ComparedGain {
+    double gain;  // [1/s] or [m/s^2/deg]
+    // Of the line of a spectrum that stands for it; 0: it is steady. Spectra are noisy: a peak that is less than 1 percent
     // above it is none [Hz].
     double line = 0;
 };
-SteadyGain lowest_gain(const SteeringGain& found);
-// Gain, peak ratio, bandwidth, equivalent time, lags and the diagrams with linear theory beside the test.
-void add_yaw_rate_gain(const SteeringGain& found, const SteadyGain& steady, const SteeringGain& theory,
-                       Outcome& outcome);
-// Gain, lags and diagrams.
-void add_lateral_acceleration_gain(const SteeringGain& found, const SteadyGain& steady, const SteeringGain& theory,
-                                   Outcome& outcome);
-// Both, and their coherence where the test has it.
-void add_gain(const SteeringGain& found, const SteadyGain& steady, const SteeringGain& theory, Outcome& outcome);
+ComparedGain lowest_gain(const Answer& found);
 
-// Phases without jumps of a turn, from the first one on, which lies within half a turn of zero [deg].
-std::vector<double> phases(const std::vector<std::complex<double>>& response);
-// Where a curve first falls through a level, linear between points; NaN where it does not.
-double falls_through(const std::vector<double>& x, const std::vector<double>& y, double level);
+// Gain, lags, what the output's peak has, and the diagrams with linear theory beside the test. Nothing of an empty answer.
+void add_answer(TestRun& test, const SteeredOutput& output, const Answer& found, const ComparedGain& compared,
+                const Answer& theory);
+// The diagram of all outputs' coherences.
+void add_coherence(TestRun& test, const std::vector<Answer>& answers);
 
 }  // namespace hamilcar

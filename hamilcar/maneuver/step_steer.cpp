@@ -2,27 +2,21 @@
 //
 // Times count from when the steering wheel has turned by half. The response time ends at 90 percent of the steady value, the
 // peak response time at the peak; the TB value is the yaw rate's peak response time times the steady sideslip angle.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "hamilcar/maneuver/amplitude.hpp"
 #include "hamilcar/maneuver/catalog.hpp"
-#include "hamilcar/maneuver/lateral.hpp"
 
 namespace hamilcar {
 
 namespace {
 
-constexpr double window = 1;        // of the steady values, at the end [s]
-constexpr double interval = 0.005;  // between rows [s]
-constexpr double risen = 0.9;       // of the steady value
-constexpr double visible = 1e-3;    // overshoot below which there is no peak
-constexpr double tolerance = 0.1;   // of the wanted lateral acceleration
-constexpr double slowed = 0.1;      // of the speed before the step: a vehicle that loses more has no steady turn
+constexpr double window = 1;      // of the steady values, at the end [s]
+constexpr double risen = 0.9;     // of the steady value
+constexpr double visible = 1e-3;  // overshoot below which there is no peak
+constexpr double slowed = 0.1;    // of the speed before the step: a vehicle that loses more has no steady turn
 constexpr double latest = 2, latest_heavy = 4;  // that a peak answers the step, after half of it; later it drifts [s]
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Setting> settings(const VehicleDescription& vehicle) {
     return {speed_setting(vehicle, 80, 80),
@@ -31,138 +25,111 @@ std::vector<Setting> settings(const VehicleDescription& vehicle) {
             {"duration", "s", "from the step on", is_heavy(vehicle) ? 10.0 : 6.0, 3, 60}};
 }
 
-// One output after the step.
+double steady(const Recording& recording, const char* channel) {
+    return mean(between(recording[channel], recording.end() - window).values);
+}
+
+// One output after the step, in its channel's unit.
 struct StepResponse {
-    double steady;                    // [unit]
-    double response_time, peak_time;  // NaN where it does not come [s]
-    double overshoot;                 // over the steady value, less one [1]
+    double steady;
+    double response_time = not_shown, peak_time = not_shown;  // [s]
+    double overshoot = 0;                                     // over the steady value, less one [1]
 };
 
-StepResponse response_of(const History& history, const std::vector<double>& column, double half, double end) {
-    StepResponse out{mean_over(history, column, end - window, end), none, none, 0};
-    const std::vector<double> relative = scaled(column, 1 / out.steady);
-    const Series series = series_of(history, relative);
-    if (const auto there = first_crossing(series, risen, Crossing::rising, straight_ahead))
+StepResponse response_of(const Recording& recording, const char* channel, double half) {
+    StepResponse out{steady(recording, channel)};
+    Series series = recording[channel];
+    const std::vector<double> relative = scaled(series.values, 1 / out.steady);
+    series.values = relative;
+    if (const auto there = first_crossing(series, risen, Crossing::rising, straight_ahead)) {
         out.response_time = *there - half;
-    const auto highest = peak(series, Extreme::highest, straight_ahead, end - window);
+    }
+    const auto highest = peak(series, Extreme::highest, straight_ahead, recording.end() - window);
     if (highest && highest->value > 1 + visible) {
-        out.peak_time = highest->time - half;
-        out.overshoot = highest->value - 1;
+        out.peak_time = highest->time - half, out.overshoot = highest->value - 1;
     }
     return out;
 }
 
-void add_figures(Outcome& outcome, const std::string& of, const std::string& unit, double factor,
-                 const StepResponse& response, double angle) {
-    outcome.figures.push_back({"steady " + of, unit, "in the last second", response.steady * factor});
-    outcome.figures.push_back({of + " gain", unit + "/deg", "steady, per angle of the steering wheel",
-                               response.steady * factor / (angle / degree)});
-    outcome.figures.push_back(
-        {of + " response time", "s", "from half the steering to 90 percent", response.response_time});
-    outcome.figures.push_back(
-        {of + " peak response time", "s", "from half the steering to the peak", response.peak_time});
-    outcome.figures.push_back({of + " overshoot", "%", "of the peak over the steady value", 100 * response.overshoot});
+void add_figures(TestRun& test, const std::string& of, const std::string& unit, const StepResponse& response,
+                 double angle) {
+    test.figure("steady " + of, unit, response.steady, "in the last second");
+    test.figure(of + " gain", unit + "/deg", response.steady / angle, "steady, per angle of the steering wheel");
+    test.figure(of + " response time", "s", response.response_time, "from half the steering to 90 percent");
+    test.figure(of + " peak response time", "s", response.peak_time, "from half the steering to the peak");
+    test.figure(of + " overshoot", "%", 100 * response.overshoot, "of the peak over the steady value");
 }
 
-std::vector<io::Chart> response_charts(const History& history) {
-    const auto absolute = [&](const std::string& what, const std::string& unit, std::vector<double> y) {
-        return io::Chart{.title = what + " over time",
-                         .x_label = "time [s]",
-                         .y_label = what + " [" + unit + "]",
-                         .curves = {{.label = what, .x = history.time, .y = std::move(y)}}};
+void add_charts(TestRun& test, const Recording& recording) {
+    const auto share = [&](const std::string& label, const char* channel) {
+        return over_time(recording, label, channel, 1 / steady(recording, channel));
     };
-    const auto share = [&](const std::string& label, const std::vector<double>& column) {
-        const double steady = mean_over(history, column, history.time.back() - window, history.time.back());
-        return io::Curve{.label = label, .x = history.time, .y = scaled(column, 1 / steady)};
+    test.chart("step response", "time [s]", "of the steady value [1]",
+               {share("steering wheel angle", channel::steering_wheel), share("yaw rate", channel::yaw_rate),
+                share("lateral acceleration", channel::lateral_acceleration), share("roll angle", channel::roll)});
+    const auto add = [&](const std::string& what, const std::string& unit, const char* channel) {
+        test.chart(what + " over time", "time [s]", what + " [" + unit + "]", {over_time(recording, what, channel)});
     };
-    const io::Chart shares{
-        .title = "step response",
-        .x_label = "time [s]",
-        .y_label = "of the steady value [1]",
-        .curves = {share("steering wheel angle", history.steering_wheel), share("yaw rate", history.yaw_rate),
-                   share("lateral acceleration", history.lateral_acceleration), share("roll angle", history.roll)}};
-    return {shares, absolute("steering wheel angle", "deg", scaled(history.steering_wheel, 1 / degree)),
-            absolute("yaw rate", "deg/s", scaled(history.yaw_rate, 1 / degree)),
-            absolute("lateral acceleration", "m/s^2", history.lateral_acceleration),
-            absolute("sideslip angle", "deg", scaled(sideslip_of(history), 1 / degree))};
+    add("steering wheel angle", "deg", channel::steering_wheel);
+    add("yaw rate", "deg/s", channel::yaw_rate);
+    add("lateral acceleration", "m/s^2", channel::lateral_acceleration);
+    add("sideslip angle", "deg", channel::sideslip);
 }
 
 // What is read off is the answer to a step only if the vehicle turns steadily in the end, at the speed of the beginning.
-void add_verdicts(const History& history, double speed, double wanted, double allowed, const StepResponse& yaw,
-                  const StepResponse& lateral, Outcome& outcome) {
-    outcome.verdicts.push_back(speed_held(history, speed, straight_ahead - 1, straight_ahead));
-    const double end = history.time.back(), before = history.speed[row_at(history, straight_ahead)];
-    const double lost = 1 - mean_over(history, history.speed, end - window, end) / before;
-    outcome.verdicts.push_back(
-        {fmt::format("at most {:g} percent of the speed before the step lost in the last second", 100 * slowed),
-         lost <= slowed, fmt::format("{:.1f} percent", std::max(0.0, 100 * lost))});
-    outcome.verdicts.push_back({fmt::format("steady lateral acceleration within 10 percent of {:.3g} m/s^2", wanted),
-                                std::abs(lateral.steady / wanted - 1) <= tolerance,
-                                fmt::format("{:.3g} m/s^2", lateral.steady)});
+void add_verdicts(TestRun& test, const Recording& recording, const StepResponse& yaw, const StepResponse& lateral) {
+    judge_speed(test, recording);
+    const Series speed = recording[channel::speed];
+    const double lost = 1 - steady(recording, channel::speed) / speed.values[sample_at(speed, straight_ahead)];
+    test.verdict(fmt::format("at most {:g} percent of the speed before the step lost in the last second", 100 * slowed),
+                 lost <= slowed, fmt::format("{:.1f} percent", std::max(0.0, 100 * lost)));
+    const double allowed = is_heavy(test.vehicle) ? latest_heavy : latest;
+    judge_lateral_acceleration(test, "steady lateral acceleration", lateral.steady);
     const auto spoken = [](double time) {
         return std::isnan(time) ? std::string("no peak") : fmt::format("{:.2f} s", time);
     };
-    outcome.verdicts.push_back(
-        {fmt::format("no peak of yaw rate or lateral acceleration later than {:g} s", allowed),
-         !(yaw.peak_time > allowed || lateral.peak_time > allowed),
-         fmt::format("yaw rate {}, lateral acceleration {}", spoken(yaw.peak_time), spoken(lateral.peak_time))});
+    test.verdict(fmt::format("no peak of yaw rate or lateral acceleration later than {:g} s", allowed),
+                 !(yaw.peak_time > allowed || lateral.peak_time > allowed),
+                 fmt::format("yaw rate {}, lateral acceleration {}", spoken(yaw.peak_time), spoken(lateral.peak_time)));
 }
 
-// `speed` [m/s] and steady lateral acceleration [m/s^2] as wanted, `allowed` for a peak to come [s]. Returns the lateral
-// acceleration that was reached.
-double evaluate_step(const History& history, double speed, double wanted, double allowed, Outcome& outcome) {
-    const double end = history.time.back(), angle = history.steering_wheel.back();
-    const auto half = first_crossing(series_of(history, history.steering_wheel), angle / 2, Crossing::rising);
-    const double from = half.value_or(straight_ahead);
-    const StepResponse yaw = response_of(history, history.yaw_rate, from, end);
-    const StepResponse lateral = response_of(history, history.lateral_acceleration, from, end);
-    const StepResponse roll = response_of(history, history.roll, from, end);
-    const double sideslip = mean_over(history, sideslip_of(history), end - window, end) / degree;
-    outcome.figures.push_back({"steering wheel angle", "deg", "of the step", angle / degree});
-    add_figures(outcome, "yaw rate", "deg/s", 1 / degree, yaw, angle);
-    add_figures(outcome, "lateral acceleration", "m/s^2", 1, lateral, angle);
-    outcome.figures.push_back({"steady roll angle", "deg", "in the last second", roll.steady / degree});
-    outcome.figures.push_back({"roll overshoot", "%", "of the peak over the steady value", 100 * roll.overshoot});
-    outcome.figures.push_back({"steady sideslip", "deg", "of the center of mass", sideslip});
-    outcome.figures.push_back({"TB value", "deg s", "yaw rate's peak response time times steady sideslip",
-                               yaw.peak_time * std::abs(sideslip)});
-    add_verdicts(history, speed, wanted, allowed, yaw, lateral, outcome);
-    for (io::Chart& chart : response_charts(history)) outcome.charts.push_back(std::move(chart));
-    return lateral.steady;
+void evaluate(TestRun& test, const Recording& recording) {
+    const Series wheel = recording[channel::steering_wheel];
+    const double angle = wheel.values.back();
+    const double half = first_crossing(wheel, angle / 2, Crossing::rising).value_or(straight_ahead);
+    const StepResponse yaw = response_of(recording, channel::yaw_rate, half);
+    const StepResponse lateral = response_of(recording, channel::lateral_acceleration, half);
+    const StepResponse roll = response_of(recording, channel::roll, half);
+    const double sideslip = steady(recording, channel::sideslip);
+    test.figure("steering wheel angle", "deg", angle, "of the step");
+    add_figures(test, "yaw rate", "deg/s", yaw, angle);
+    add_figures(test, "lateral acceleration", "m/s^2", lateral, angle);
+    test.figure("steady roll angle", "deg", roll.steady, "in the last second");
+    test.figure("roll overshoot", "%", 100 * roll.overshoot, "of the peak over the steady value");
+    test.figure("steady sideslip", "deg", sideslip, "of the center of mass");
+    test.figure("TB value", "deg s", yaw.peak_time * std::abs(sideslip),
+                "yaw rate's peak response time times steady sideslip");
+    add_verdicts(test, recording, yaw, lateral);
+    add_charts(test, recording);
 }
 
-ScenarioDescription step(const VehicleDescription& vehicle, const Settings& chosen, const ManeuverOptions& options,
-                         double angle) {
-    const double turning = std::abs(angle) / (chosen.at("rate") * degree);
-    const double end = straight_ahead + std::max(chosen.at("duration"), turning + 2 * window);
-    ScenarioDescription scenario =
-        steered_at(vehicle, options, chosen.at("speed") * kilometer_per_hour,
-                   {.time = {0, straight_ahead, straight_ahead + turning, end}, .value = {0, 0, angle, angle}});
-    scenario.name = "step_steer";
-    return scenario;
-}
-
-Outcome drive_it(const VehicleDescription& vehicle, const Settings& chosen, const ManeuverOptions& options) {
-    Outcome outcome;
-    const double speed = chosen.at("speed") * kilometer_per_hour, wanted = chosen.at("lateral_acceleration");
-    const Amplitude amplitude = amplitude_for(vehicle, speed, wanted);
-    const Aim aim{.lateral_acceleration = amplitude.lateral_acceleration,
-                  .scenario = [&](double angle) { return step(vehicle, chosen, options, angle); },
-                  .reached =
-                      [](const History& history) {
-                          const double end = history.time.back();
-                          return mean_over(history, history.lateral_acceleration, end - window, end);
-                      }};
-    Trial trial = drive_aimed(vehicle, aim, amplitude.angle, options, interval, outcome);
-    std::string reached = "";
-    if (take_whole(outcome, trial)) {
-        const double allowed = is_heavy(vehicle) ? latest_heavy : latest;
-        reached = fmt::format("; the last second had {:.3g} m/s^2 at {:.3g} km/h",
-                              evaluate_step(trial.history, speed, wanted, allowed, outcome),
-                              trial.history.speed.back() / kilometer_per_hour);
+void run(TestRun& test) {
+    const Amplitude amplitude = amplitude_for(test.vehicle, test["speed"], test["lateral_acceleration"]);
+    const auto step = [&](double angle) -> SignalDescription {
+        const double turning = std::abs(angle) / test["rate"];
+        const double end = straight_ahead + std::max(test["duration"], turning + 2 * window);
+        return {.time = {0, straight_ahead, straight_ahead + turning, end}, .value = {0, 0, angle, angle}};
+    };
+    const auto reached = [](const Recording& recording) { return steady(recording, channel::lateral_acceleration); };
+    Drive drive =
+        drive_aimed(test, {amplitude.lateral_acceleration, step, reached, 0.005}, test["speed"], amplitude.angle);
+    std::string end;
+    if (test.take_whole(drive)) {
+        evaluate(test, drive.recording);
+        end = fmt::format("; the last second had {:.3g} m/s^2 at {:.3g} km/h", reached(drive.recording),
+                          drive.recording[channel::speed].values.back() / kilometer_per_hour);
     }
-    if (!amplitude.note.empty()) outcome.notes.push_back(amplitude.note + reached);
-    return outcome;
+    if (!amplitude.note.empty()) test.outcome.notes.push_back(amplitude.note + end);
 }
 
 }  // namespace
@@ -173,9 +140,8 @@ Maneuver step_steer() {
             .standard = "ISO 7401",
             .summary = "The steering wheel jumps to an angle: response times, overshoot and steady gains.",
             .settings = settings,
-            .obstacle = needs_steering_and_drive,
-            .drive = drive_it,
-            .course = [](const VehicleDescription&, const Settings&) { return Course{}; }};
+            .unsupported_reason = needs_steering_and_drive,
+            .run = run};
 }
 
 }  // namespace hamilcar

@@ -19,6 +19,23 @@ void gather(Wide& to, const std::array<const Narrow*, N>& from);
 
 namespace detail {
 
+template <class Struct, class Member>
+constexpr std::size_t end_behind(std::size_t end, Member Struct::*) {
+    return (end + alignof(Member) - 1) / alignof(Member) * alignof(Member) + sizeof(Member);
+}
+
+// Whether members() lists everything that a struct holds, in order: laid out one behind the other they fill it. What is forgotten
+// would stay the same for all lanes, and no test that compares programs could see it. What is made anew from the others stands in
+// derived_members().
+template <class Struct>
+constexpr bool lists_all_members() {
+    std::size_t end = 0;
+    const auto add = [&end](auto... member) { ((end = end_behind(end, member)), ...); };
+    std::apply(add, Struct::members());
+    if constexpr (requires { Struct::derived_members(); }) std::apply(add, Struct::derived_members());
+    return (end + alignof(Struct) - 1) / alignof(Struct) * alignof(Struct) == sizeof(Struct);
+}
+
 template <class Narrow, std::size_t N, class Part>
 auto parts(const std::array<const Narrow*, N>& from, Part&& part) {
     std::array<std::add_pointer_t<std::remove_reference_t<decltype(part(*from[0]))>>, N> out;
@@ -28,6 +45,7 @@ auto parts(const std::array<const Narrow*, N>& from, Part&& part) {
 
 template <class Wide, class Narrow, std::size_t N>
 void gather_members(Wide& to, const std::array<const Narrow*, N>& from) {
+    static_assert(lists_all_members<Narrow>(), "members() lists every member in order");
     constexpr auto wide = Wide::members();
     constexpr auto narrow = Narrow::members();
     [&]<std::size_t... m>(std::index_sequence<m...>) {
@@ -136,6 +154,7 @@ void gather(Wide& to, const std::array<const Narrow*, N>& from) {
 template <class To, class From, class Convert>
 void transcribe(To& to, const From& from, Convert&& convert) {
     if constexpr (requires { To::members(); }) {
+        static_assert(detail::lists_all_members<From>(), "members() lists every member in order");
         std::apply(
             [&](auto... to_member) {
                 std::apply([&](auto... from_member) { (transcribe(to.*to_member, from.*from_member, convert), ...); },

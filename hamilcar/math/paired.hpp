@@ -14,9 +14,9 @@ template <class T>
 struct PairedNumber {
     using type = T;
 };
-template <class E>
-struct PairedNumber<Traced<E>> {
-    using type = Traced<E, 2>;
+template <>
+struct PairedNumber<Traced<1>> {
+    using type = Traced<2>;
 };
 template <class T>
 using Paired = typename PairedNumber<T>::type;

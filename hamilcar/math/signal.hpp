@@ -29,7 +29,8 @@ struct SignalPiece {
 };
 
 // One input over time. Smooth: monotone cubic Hermite pieces (Fritsch and Butland 1984), which never overshoot the table
-// and have a continuous first derivative. Linear: straight lines. Constant outside the table.
+// and have a continuous first derivative. Smoother: three cubic pieces between two points, monotone as well, whose second
+// derivative is continuous and zero at the points. Linear: straight lines. Constant outside the table.
 class Signal {
 public:
     Signal() = default;

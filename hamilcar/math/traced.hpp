@@ -4,5 +4,5 @@
 #include "hamilcar/math/eigen.hpp"
 #include "hamilcar/scalar/traced.hpp"
 
-template <class E, int width>
-struct Eigen::NumTraits<hamilcar::Traced<E, width>> : hamilcar::NumberTraits<hamilcar::Traced<E, width>, E> {};
+template <int width>
+struct Eigen::NumTraits<hamilcar::Traced<width>> : hamilcar::NumberTraits<hamilcar::Traced<width>, double> {};

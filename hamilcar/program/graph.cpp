@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
+
+#include "hamilcar/base/assert.hpp"
 
 namespace hamilcar::program {
 
@@ -45,7 +46,7 @@ double computed(Op op, Number a, Number b) {
         case Op::not_less: return !(a < b);
         case Op::not_less_equal: return !(a <= b);
         case Op::not_equal: return !(a == b);
-        default: assert(false); return 0;
+        default: HAMILCAR_ASSERT(false); return 0;
     }
 }
 
@@ -95,7 +96,7 @@ Id Graph::constant(std::span<const double> values) {
 }
 
 Id Graph::input(int array, int index) {
-    assert(array < max_arrays);
+    HAMILCAR_ASSERT(array < max_arrays);
     return shared({.op = Op::input, .a = array, .b = index});
 }
 
@@ -232,7 +233,7 @@ Id Graph::call(int function, int detail, std::span<const Id> arguments, int resu
 }
 
 void Graph::begin_region(Id condition) {
-    assert(!in_region_);
+    HAMILCAR_ASSERT(!in_region_);
     regions_.push_back({condition, size(), size(), {}, {}});
     in_region_ = true;
 }

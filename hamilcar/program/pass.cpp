@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
+
+#include "hamilcar/base/assert.hpp"
 
 namespace hamilcar::program {
 
@@ -67,7 +68,7 @@ public:
             if (kept_[at(id)]) new_ids_[at(id)] = rewritten(id);
         }
         for (const Output& output : from_.outputs()) {
-            assert(from_.node(output.node).width == 1);
+            HAMILCAR_ASSERT(from_.node(output.node).width == 1);
             to_.output(output.array, output.index, new_ids_[at(output.node)][0]);
         }
         return std::move(to_);

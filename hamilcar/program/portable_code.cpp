@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hamilcar/base/assert.hpp"
+
 namespace hamilcar::program::portable {
 
 namespace {
@@ -112,7 +114,7 @@ Work<Number> work(Op op, int count) {
         case 2: return work_on<Number, 2>(op);
         case 4: return work_on<Number, 4>(op);
         case 8: return work_on<Number, 8>(op);
-        default: assert(count == 16); return work_on<Number, 16>(op);
+        default: HAMILCAR_ASSERT(count == 16); return work_on<Number, 16>(op);
     }
 }
 

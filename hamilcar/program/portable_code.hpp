@@ -3,12 +3,12 @@
 
 #include <array>
 #include <bit>
-#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 #include <vector>
 
+#include "hamilcar/base/assert.hpp"
 #include "hamilcar/program/executable.hpp"
 
 namespace hamilcar::program::portable {
@@ -21,7 +21,7 @@ enum Base : Operand { scratch_base, constants_base, arrays_base };
 constexpr int base_count = arrays_base + max_arrays;
 
 constexpr Operand operand_at(std::size_t base, std::size_t offset) {
-    assert(offset < (std::size_t{1} << offset_bits));
+    HAMILCAR_ASSERT(offset < (std::size_t{1} << offset_bits));
     return static_cast<Operand>(base) << offset_bits | static_cast<Operand>(offset);
 }
 

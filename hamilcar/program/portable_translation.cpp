@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 
+#include "hamilcar/base/assert.hpp"
 #include "hamilcar/program/portable_code.hpp"
 
 namespace hamilcar::program::portable {
@@ -59,7 +60,7 @@ public:
             if (id < graph_.size()) translate(order_[at(id)]);
         }
         for (const Output& output : graph_.outputs()) {
-            assert(graph_.node(output.node).width == 1);
+            HAMILCAR_ASSERT(graph_.node(output.node).width == 1);
             code_.stores.push_back({output.array, at(output.index) * lanes(), operands_[at(output.node)]});
         }
         end_step(Step::Then::go_on);

@@ -40,10 +40,10 @@ void Lowering::write_prologue() {
     encoder_.emit(Inst::kIdLea, rbx, ptr(constants_label_, encoder_.constants().bias()));
     load_array_pointers();
 
-    std::size_t most = 0;
-    for (const Call& call : graph_.calls()) most = std::max(most, call.arguments.size());
+    std::size_t max_arguments = 0;
+    for (const Call& call : graph_.calls()) max_arguments = std::max(max_arguments, call.arguments.size());
     const int number_bytes = target_.lanes() * target_.number_bytes();
-    if (most > 0) call_arguments_ = scratch_.block(static_cast<int>(most) * number_bytes, alignment);
+    if (max_arguments > 0) call_arguments_ = scratch_.block(static_cast<int>(max_arguments) * number_bytes, alignment);
     call_results_.assign(graph_.calls().size(), 0);
 }
 

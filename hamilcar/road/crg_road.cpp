@@ -38,39 +38,19 @@ void check(const CrgDescription& d) {
 }
 
 // Cumulative sum of the steps from the start. A known end is met by also summing backward from it and blending the two sums with
-// OpenCRG's weights: a sample's index over the last index.
-std::vector<double> cumulative(const std::vector<double>& steps, double start, const std::optional<double>& end) {
+// OpenCRG's weights: a sample's index, less `lag`, over the last index.
+std::vector<double> cumulative(const std::vector<double>& steps, double start, const std::optional<double>& end,
+                               std::size_t lag = 0) {
     const std::size_t last = steps.size();
     std::vector<double> sum(last + 1, start);
     if (end) sum[last] = *end;
     for (std::size_t i = last; end && i > 1; --i) sum[i - 1] = sum[i] - steps[i - 1];
     for (std::size_t i = 0; i < last; ++i) {
-        const double weight = end ? static_cast<double>(i + 1) / static_cast<double>(last) : 0;
+        const double share = i + 1 == last ? 1 : static_cast<double>(i + 1 - lag) / static_cast<double>(last);
+        const double weight = end ? share : 0;
         sum[i + 1] = (1 - weight) * (sum[i] + steps[i]) + (weight > 0 ? weight * sum[i + 1] : 0);
     }
     return sum;
-}
-
-std::vector<CrgPoint> reference_line(const CrgDescription& d) {
-    const std::size_t segments = d.rows() - 1;
-    std::vector<double> dx(segments, d.u_increment * std::cos(d.phi)), dy(segments, d.u_increment * std::sin(d.phi));
-    for (std::size_t i = 0; i < d.headings.size(); ++i) {
-        dx[i] = d.u_increment * std::cos(d.headings[i]);
-        dy[i] = d.u_increment * std::sin(d.headings[i]);
-    }
-    const bool curved = !d.headings.empty();
-    const std::vector<double> x = cumulative(dx, d.x, curved ? d.end_x : std::nullopt);
-    const std::vector<double> y = cumulative(dy, d.y, curved ? d.end_y : std::nullopt);
-    std::vector<CrgPoint> line(segments + 1);
-    for (std::size_t i = 0; i < line.size(); ++i) line[i] = {x[i], y[i]};
-    double ex = 0, ey = 0;
-    for (std::size_t i = 0; i < segments; ++i) {  // otherwise its cross sections would not be in order
-        const double fx = line[i + 1].x - line[i].x, fy = line[i + 1].y - line[i].y;
-        require(fx * fx + fy * fy > 0 && (i == 0 || ex * fx + ey * fy > 0),
-                "a line that turns by less than a right angle between segments");
-        ex = fx, ey = fy;
-    }
-    return line;
 }
 
 // Replaces the missing heights of one cross section.
@@ -89,6 +69,31 @@ void fill_row(double* row, std::size_t columns, CrgMissing missing, double offse
 
 }  // namespace
 
+std::vector<CrgPoint> reference_line(const CrgDescription& d) {
+    const std::size_t segments = d.rows() - 1;
+    std::vector<double> dx(segments, d.u_increment * std::cos(d.phi)), dy(segments, d.u_increment * std::sin(d.phi));
+    for (std::size_t i = 0; i < d.headings.size(); ++i) {
+        dx[i] = d.u_increment * std::cos(d.headings[i]);
+        dy[i] = d.u_increment * std::sin(d.headings[i]);
+    }
+    const bool curved = !d.headings.empty();
+    const std::vector<double> x = cumulative(dx, d.x, curved ? d.end_x : std::nullopt);
+    const std::vector<double> y = cumulative(dy, d.y, curved ? d.end_y : std::nullopt);
+    std::vector<CrgPoint> line(segments + 1);
+    for (std::size_t i = 0; i < line.size(); ++i) line[i] = {x[i], y[i]};
+    return line;
+}
+
+std::size_t first_fold(std::span<const CrgPoint> line) {
+    double ex = 0, ey = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const double fx = line[i].x - line[i - 1].x, fy = line[i].y - line[i - 1].y;
+        if (!(fx * fx + fy * fy > 0 && (i == 1 || ex * fx + ey * fy > 0))) return i;
+        ex = fx, ey = fy;
+    }
+    return 0;
+}
+
 CrgRoad::CrgRoad(const CrgDescription& d) : v_(d.v), heights_(d.heights) {
     check(d);
     const std::size_t rows = d.rows(), columns = d.columns(), segments = rows - 1;
@@ -98,9 +103,10 @@ CrgRoad::CrgRoad(const CrgDescription& d) : v_(d.v), heights_(d.heights) {
     smooth_start_ = d.smooth_start, smooth_end_ = d.smooth_end;
 
     line_ = reference_line(d);
+    require(first_fold(line_) == 0, "a line that turns by less than a right angle between segments");
     std::vector<double> rises(segments, d.u_increment * d.slope);
     for (std::size_t i = 0; i < d.slopes.size(); ++i) rises[i] = d.u_increment * d.slopes[i];
-    elevation_ = cumulative(rises, d.z, d.slopes.empty() ? std::nullopt : d.end_z);
+    elevation_ = cumulative(rises, d.z, d.slopes.empty() && d.slope == 0 ? std::nullopt : d.end_z, 1);
     banking_ = d.bankings.empty() ? std::vector<double>(rows, d.banking) : d.bankings;
 
     if (std::any_of(heights_.begin(), heights_.end(), [](double z) { return std::isnan(z); })) {

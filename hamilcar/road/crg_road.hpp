@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "hamilcar/description/crg.hpp"
@@ -14,6 +15,12 @@
 #include "hamilcar/scalar/scalar.hpp"
 
 namespace hamilcar {
+
+// The points of the reference line, one a row [m]. A known end bends it.
+std::vector<CrgPoint> reference_line(const CrgDescription& d);
+// The first point after which the line has turned by a right angle or more, or not gone on: cross sections are no longer in order
+// there. 0 if there is none.
+std::size_t first_fold(std::span<const CrgPoint> line);
 
 // Every point has a height: beyond the grid it follows the border modes, zero for `none`. A missing height inside the grid is
 // replaced as the description specifies, by zero for `none`; the reference line's elevation and banking are added to it.
@@ -86,10 +93,18 @@ private:
         return j;
     }
 
+    static bool is_within(double value, double low, double high) {
+        return value >= low - border_tolerance && value <= high + border_tolerance;
+    }
     template <class N>
     static bool bring_inside(N& t, double low, double high, CrgBorder border);
+    // What the grid has, and what elevation and banking of the line add to it.
     template <class N>
-    N surface(const N& u, const N& v) const;
+    struct Parts {
+        N grid, line;
+    };
+    template <class N>
+    Parts<N> parts_at(const N& u, const N& v) const;
 
     std::vector<CrgPoint> line_;
     std::vector<double> elevation_, banking_;  // of the reference line, per row [m], [1]
@@ -162,7 +177,7 @@ CrgRoad::Position<N> CrgRoad::uv_of(const N& x, const N& y) const {
 template <class N>
 bool CrgRoad::bring_inside(N& t, double low, double high, CrgBorder border) {
     const double value = value_of(t);
-    if (value >= low - border_tolerance && value <= high + border_tolerance) return false;
+    if (is_within(value, low, high)) return false;
     if (border == CrgBorder::repeat || border == CrgBorder::reflect) {
         const double width = high - low, times = floor_of((value - low) / width);
         t = t - N(times * width);
@@ -175,7 +190,7 @@ bool CrgRoad::bring_inside(N& t, double low, double high, CrgBorder border) {
 }
 
 template <class N>
-N CrgRoad::surface(const N& u, const N& v) const {
+CrgRoad::Parts<N> CrgRoad::parts_at(const N& u, const N& v) const {
     const N rows = (u - N(u_start_)) * N(per_increment_);
     const std::size_t i = index_of(value_of(rows), line_.size() - 2), j = column_of(value_of(v));
     const N a = rows - N(static_cast<double>(i)), b = (v - N(v_[j])) * N(per_gap_[j]);
@@ -183,23 +198,29 @@ N CrgRoad::surface(const N& u, const N& v) const {
     const N right = N(here[0]) + a * N(next[0] - here[0]), left = N(here[1]) + a * N(next[1] - here[1]);
     const N raised = N(elevation_[i]) + a * N(elevation_[i + 1] - elevation_[i]);
     const N banking = N(banking_[i]) + a * N(banking_[i + 1] - banking_[i]);
-    return right + b * (left - right) + raised + v * banking;
+    return {right + b * (left - right), raised + v * banking};
 }
 
+// Beyond both borders as OpenCRG's library has it: a `zero` of u is zero, one of v leaves the line's elevation where u is
+// beyond its border too; both offsets count, also that of a border that repeats or reflects.
 template <class N>
 N CrgRoad::height_uv(N u, N v) const {
     if (line_.empty()) return N(0);
+    const bool out_u = !is_within(value_of(u), u_start_, u_end_),
+               out_v = !is_within(value_of(v), v_.front(), v_.back());
     const bool off_u = bring_inside(u, u_start_, u_end_, border_u_);
     const bool off_v = bring_inside(v, v_.front(), v_.back(), border_v_);
     if ((off_u && border_u_ == CrgBorder::none) || (off_v && border_v_ == CrgBorder::none)) return N(0);
-    N z = surface(u, v);
-    if (off_u) z = (border_u_ == CrgBorder::zero ? N(0) : z) + N(offset_u_);
-    if (off_v) z = (border_v_ == CrgBorder::zero ? N(0) : z) + N(offset_v_);
+    const Parts<N> parts = parts_at(u, v);
+    const bool zero_u = off_u && border_u_ == CrgBorder::zero, zero_v = off_v && border_v_ == CrgBorder::zero;
+    N z = zero_u || zero_v ? N(0) : parts.grid;
+    if (!zero_u && (off_u || !zero_v)) z = z + parts.line;
+    if (off_u || off_v) z = z + N((out_u ? offset_u_ : 0) + (out_v ? offset_v_ : 0));
     const N begun = u - N(u_start_), left = N(u_end_) - u;
     const double start = elevation_.front(), end = elevation_.back();
+    if (smooth_end_ > 0 && value_of(left) < smooth_end_) return N(end) + left * N(1 / smooth_end_) * (z - N(end));
     if (smooth_start_ > 0 && value_of(begun) < smooth_start_)
-        z = N(start) + begun * N(1 / smooth_start_) * (z - N(start));
-    if (smooth_end_ > 0 && value_of(left) < smooth_end_) z = N(end) + left * N(1 / smooth_end_) * (z - N(end));
+        return N(start) + begun * N(1 / smooth_start_) * (z - N(start));
     return z;
 }
 

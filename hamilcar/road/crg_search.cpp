@@ -88,8 +88,8 @@ CrgSearch::CellNumbers CrgSearch::cells_within(double margin) {
 // smallest one by at most the diagonal. Returns their number, or 0 if they are too many for a list.
 std::uint32_t CrgSearch::list_nearest(double x, double y, double diagonal) {
     constexpr std::size_t max_count = 32;
-    const double least = std::sqrt(squared_distance(stretches_[nearest_of_all(x, y)], x, y));
-    const double square = (least + diagonal) * (least + diagonal);
+    const double nearest = std::sqrt(squared_distance(stretches_[nearest_of_all(x, y)], x, y));
+    const double square = (nearest + diagonal) * (nearest + diagonal);
     const std::size_t leaves = boxes_.size() / 2, first = near_.size();
     std::vector<std::size_t> open{1};
     while (!open.empty() && near_.size() - first <= max_count) {

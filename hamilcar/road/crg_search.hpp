@@ -27,11 +27,11 @@ public:
         const Cell* cell = find(x * per_edge_, y * per_edge_);
         if (cell == nullptr) return nearest_of_all(x, y);
         std::size_t best = near_[cell->first];
-        double least = squared_distance(stretches_[best], x, y);
+        double min_square = squared_distance(stretches_[best], x, y);
         for (std::uint32_t k = 1; k < cell->count; ++k) {
             const std::uint32_t i = near_[cell->first + k];
             const double d = squared_distance(stretches_[i], x, y);
-            if (d < least) least = d, best = i;
+            if (d < min_square) min_square = d, best = i;
         }
         return best;
     }
@@ -80,15 +80,15 @@ private:
     std::size_t nearest_of_all(double x, double y) const {
         std::array<std::size_t, 64> open;  // at most one node per level, plus one
         std::size_t count = 0, best = 0;
-        double least = std::numeric_limits<double>::infinity();
+        double min_square = std::numeric_limits<double>::infinity();
         const std::size_t leaves = boxes_.size() / 2;
         open[count++] = 1;
         while (count > 0) {
             const std::size_t node = open[--count];
-            if (!(squared_distance(boxes_[node], x, y) < least)) continue;
+            if (!(squared_distance(boxes_[node], x, y) < min_square)) continue;
             if (node >= leaves) {
                 const double d = squared_distance(stretches_[node - leaves], x, y);
-                if (d < least) least = d, best = node - leaves;
+                if (d < min_square) min_square = d, best = node - leaves;
                 continue;
             }
             const std::size_t left = 2 * node, right = left + 1;

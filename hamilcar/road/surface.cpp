@@ -1,23 +1,14 @@
 #include "hamilcar/road/surface.hpp"
 
-#include <map>
-#include <mutex>
+#include "hamilcar/road/shared_table.hpp"
 
 namespace hamilcar {
 
 namespace {
 
-// One table shared by all surfaces of one description, so that a batch on a large file stores it once. The table keeps the
-// description alive, so that its address identifies it.
 template <class Road, class Description>
 SharedRoad<Road, Description> shared(const std::shared_ptr<const Description>& description) {
-    static std::mutex mutex;
-    static std::map<const Description*, std::weak_ptr<const Road>> cache;
-    const std::lock_guard lock(mutex);
-    std::erase_if(cache, [](const auto& entry) { return entry.second.expired(); });
-    std::shared_ptr<const Road> road = cache[description.get()].lock();
-    if (!road) cache[description.get()] = road = std::make_shared<const Road>(*description);
-    return {road, description};
+    return {shared_table<Road>(description), description};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // its own file; stored as doubles, whatever scalar the car is computed in.
 #pragma once
 
+#include <concepts>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -33,6 +34,17 @@ struct SharedRoad {
 
 using SurfaceElement = std::variant<Obstacle, Wave, RandomRoad, SharedRoad<HeightGrid, HeightGridDescription>,
                                     SharedRoad<CrgRoad, CrgDescription>>;
+
+// Heights of an element above the plane over ground x and y, for numbers with and without derivatives and for several at once, and
+// a bound on them [m].
+template <class Element>
+concept RoadElement = requires(const Element element, const double& x, const Dual<double, 2>& dual) {
+    { element.height(x, x) } -> std::same_as<double>;
+    { element.height(dual, dual) } -> std::same_as<Dual<double, 2>>;
+    { element.max_height() } -> std::same_as<double>;
+};
+static_assert(every_alternative(std::type_identity<SurfaceElement>(),
+                                []<class Element>() { return RoadElement<Element>; }));
 
 class Surface {
 public:

@@ -3,6 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include "hamilcar/road/plane.hpp"
+#include "hamilcar/road/surface.hpp"
+
 namespace hamilcar {
 
 namespace {

@@ -3,10 +3,11 @@
 
 #include <vector>
 
-#include "hamilcar/road/plane.hpp"
-#include "hamilcar/road/surface.hpp"
-
 namespace hamilcar {
+
+template <class T>
+struct PlaneRoad;
+class Surface;
 
 inline constexpr double tile_size = 16;                               // of a side [m]
 inline constexpr int tile_nodes = 65;                                 // along a side

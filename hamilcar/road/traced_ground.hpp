@@ -28,17 +28,17 @@ void look_up_ground(const void* context, int wheel, int lanes, const void* argum
 }
 
 // One call for each of the wheels side by side.
-template <class E, int width>
-PatchPlane<Traced<E, width>> query_surface(const Surface*, double, const PatchPose<Traced<E, width>>& place,
-                                           const std::array<int, 2>& numbers) {
-    using T = Traced<E, width>;
+template <int width>
+PatchPlane<Traced<width>> query_surface(const Surface*, double, const PatchPose<Traced<width>>& place,
+                                        const std::array<int, 2>& numbers) {
+    using T = Traced<width>;
     PatchPlane<T> plane;
     for (int l = 0; l < width; ++l) {
         std::vector<program::Id> arguments;
         PatchPose<T>::for_each(place, [&](const T& number) { arguments.push_back(lane(number, l).id()); });
         program::Id result =
             Tracing::graph().call(0, numbers[static_cast<std::size_t>(l)], arguments, PatchPlane<T>::count);
-        PatchPlane<T>::for_each(plane, [&](T& number) { set_lane(number, l, Traced<E>::of(result++)); });
+        PatchPlane<T>::for_each(plane, [&](T& number) { set_lane(number, l, Traced<1>::of(result++)); });
     }
     return plane;
 }

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "hamilcar/analysis/rack_force.hpp"
+#include "hamilcar/base/units.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/spelling.hpp"
+#include "hamilcar/run/channel_names.hpp"
+#include "hamilcar/run/handling_channels.hpp"
 #include "hamilcar/run/motion_channels.hpp"
 #include "hamilcar/run/powertrain_channels.hpp"
 #include "hamilcar/run/suspension_channels.hpp"
@@ -17,7 +19,8 @@ namespace hamilcar {
 
 namespace {
 
-constexpr double degree = 180 / std::numbers::pi;
+using io::ChannelRole;
+using units::degree;
 
 Vec3<double> center_of_mass(const Sample& s) {
     return s.model.vehicle.chassis.center;
@@ -36,12 +39,6 @@ Vec3<double> roll_pitch_yaw(const Mat3<double>& R) {
     return {std::atan2(R(2, 1), R(2, 2)), -std::asin(std::clamp(R(2, 0), -1.0, 1.0)), std::atan2(R(1, 0), R(0, 0))};
 }
 
-Vec3<double> acceleration(const Sample& s) {
-    Vec3<double> up = s.velocity.R_GC.row(2).transpose();
-    const Vec3<double> total = s.momenta.external.head<3>() / s.model.vehicle.total_mass;
-    return total - up * up.dot(total);
-}
-
 void add_chassis_channels(std::vector<Channel>& list) {
     const char* axes[] = {"x", "y", "z"};
     const char* angles[] = {"roll", "pitch", "yaw"};
@@ -57,54 +54,57 @@ void add_chassis_channels(std::vector<Channel>& list) {
                         true});
     }
     for (int i = 0; i < 3; ++i) {
-        list.push_back({{fmt::format("chassis.angle.{}", angles[i]), "deg", "ISO 8855 angle (yaw, pitch, roll)"},
-                        [i](const Sample& s) { return degree * roll_pitch_yaw(s.velocity.R_GC)[i]; },
+        list.push_back({{fmt::format("chassis.angle.{}", angles[i]), "deg", "ISO 8855 angle (yaw, pitch, roll)",
+                         i == 0 ? ChannelRole::roll_angle : ChannelRole::none},
+                        [i](const Sample& s) { return roll_pitch_yaw(s.velocity.R_GC)[i] / degree; },
                         true});
     }
     for (int i = 0; i < 3; ++i) {
-        list.push_back({{fmt::format("chassis.rate.{}", angles[i]), "deg/s", "angular velocity, vehicle axes"},
-                        [i](const Sample& s) { return degree * s.velocity.chassis[3 + i]; },
+        list.push_back({{fmt::format("chassis.rate.{}", angles[i]), "deg/s", "angular velocity, vehicle axes",
+                         i == 2 ? ChannelRole::yaw_rate : ChannelRole::none},
+                        [i](const Sample& s) { return s.velocity.chassis[3 + i] / degree; },
                         i == 2});
     }
     const char* names[] = {"longitudinal", "lateral", "vertical"};
+    constexpr ChannelRole velocities[] = {ChannelRole::longitudinal_velocity, ChannelRole::lateral_velocity,
+                                          ChannelRole::none};
     for (int i = 0; i < 3; ++i) {
-        list.push_back({{fmt::format("chassis.{}_velocity", names[i]), "m/s", "of the center of mass, vehicle axes"},
+        list.push_back({{fmt::format("chassis.{}_velocity", names[i]), "m/s", "of the center of mass, vehicle axes",
+                         velocities[i]},
                         [i](const Sample& s) { return chassis_velocity(s)[i]; },
                         i < 2});
     }
-    for (int i = 0; i < 2; ++i) {
-        list.push_back({{fmt::format("chassis.{}_acceleration", names[i]), "m/s^2",
-                         "horizontal acceleration of the whole car's center of mass, vehicle axes"},
-                        [i](const Sample& s) { return acceleration(s)[i]; },
-                        true});
-    }
     for (int i = 0; i < 3; ++i) {
         list.push_back({{fmt::format("chassis.bryant.{}", i + 1), "deg", fmt::format("the paper's q1{} (1)", i + 4)},
-                        [i](const Sample& s) { return degree * bryant_angles<double>(s.velocity.R_GC)[i]; }});
+                        [i](const Sample& s) { return bryant_angles<double>(s.velocity.R_GC)[i] / degree; }});
     }
 }
 
 void add_car_channels(const VehicleDescription& vehicle, std::vector<Channel>& list) {
-    const auto add = [&](std::string name, std::string unit, std::string what, auto read, bool standard = false) {
-        list.push_back({{std::move(name), std::move(unit), std::move(what)}, read, standard});
+    const auto add = [&](std::string name, std::string unit, std::string what, auto read, bool standard = false,
+                         ChannelRole role = ChannelRole::none) {
+        list.push_back({{std::move(name), std::move(unit), std::move(what), role}, read, standard});
     };
     add(
         "input.rack", "m", "rack displacement (q17)", [](const Sample& s) { return s.input.rack.displacement; }, true);
     if (const Column column(vehicle.steering); column.exists()) {
         add(
-            "input.steering_wheel", "deg", "of the steering wheel, to the left positive",
-            [column](const Sample& s) { return degree * column.angle(s.input.rack.displacement); }, true);
-        add("input.steering_torque", "N m", "that the driver applies, without power assist; to the left positive",
+            channel::steering_wheel, "deg", "of the steering wheel, to the left positive",
+            [column](const Sample& s) { return column.angle(s.input.rack.displacement) / degree; }, true,
+            ChannelRole::steering_wheel_angle);
+        add(
+            channel::steering_torque, "N m", "that the driver applies, without power assist; to the left positive",
             [column](const Sample& s) {
                 return steering_torque(column, s.input.rack.displacement,
                                        rack_force(s.model, s.state, s.input, s.velocity, s.momenta));
-            });
+            },
+            false, ChannelRole::steering_torque);
     }
     add(
         "input.drive_torque", "N m", "at the driven wheels together",
-        [](const Sample& s) { return s.input.drive_torque; }, true);
+        [](const Sample& s) { return s.input.drive_torque; }, true, ChannelRole::drive_torque);
     add(
-        "input.brake", "1", "brake command", [](const Sample& s) { return s.input.brake; }, true);
+        "input.brake", "1", "brake command", [](const Sample& s) { return s.input.brake; }, true, ChannelRole::brake);
     add(
         "constraints.opening", "m", "largest opening of a cut joint", [](const Sample& s) { return s.violation; },
         true);
@@ -115,11 +115,11 @@ void add_car_channels(const VehicleDescription& vehicle, std::vector<Channel>& l
     add("energy.kinetic", "J", "of all bodies and wheels", [](const Sample& s) { return s.energy.kinetic; });
     add("energy.potential", "J", "gravity, springs, bars, stops, tires, hull",
         [](const Sample& s) { return s.energy.potential; });
-    add("energy.drift", "J", "carried by the moving rack: the sum of x.h",
-        [](const Sample& s) { return s.energy.drift; });
+    add("energy.prescribed", "J", "of the prescribed motion of the rack: the sum of x.h",
+        [](const Sample& s) { return s.energy.prescribed; });
     add("energy.work", "J", "of drive, brakes, dampers, tires, air, hull friction and rack",
         [](const Sample& s) { return s.energy.work; });
-    add("energy.balance", "J", "kinetic + potential - drift - work: constant",
+    add("energy.balance", "J", "kinetic + potential - prescribed - work: constant",
         [](const Sample& s) { return s.energy.balance(); });
 }
 
@@ -137,6 +137,7 @@ bool contains(const std::vector<Channel>& list, const Channel& channel) {
 std::vector<Channel> all_channels(const VehicleDescription& vehicle) {
     std::vector<Channel> list;
     add_chassis_channels(list);
+    add_handling_channels(list);
     add_car_channels(vehicle, list);
     add_powertrain_channels(vehicle, list);
     add_suspension_channels(vehicle, list);
@@ -144,7 +145,8 @@ std::vector<Channel> all_channels(const VehicleDescription& vehicle) {
     return list;
 }
 
-std::vector<Channel> select_channels(const std::vector<Channel>& all, const std::vector<std::string>& names) {
+std::vector<Channel> select_channels(const std::vector<Channel>& all, const std::vector<std::string>& names,
+                                     const std::shared_ptr<const Places>& places) {
     std::vector<Channel> chosen;
     if (names.empty()) {
         for (const Channel& channel : all) {
@@ -165,16 +167,23 @@ std::vector<Channel> select_channels(const std::vector<Channel>& all, const std:
         const auto nearest = io::nearest_word(name, known);
         throw io::Error(
             io::ExitCode::bad_file,
-            fmt::format("key 'output.channels': unknown channel \"{}\"{}; 'hamilcar check --json' lists all channels",
-                        name, nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : ""),
+            fmt::format("{}key 'output.channels': unknown channel \"{}\"{}; 'hamilcar check --json' lists all channels",
+                        at_key(places, "output.channels"), name,
+                        nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : ""),
             "output.channels");
     }
     return chosen;
 }
 
+void add_missing(const std::vector<Channel>& further, std::vector<Channel>& chosen) {
+    for (const Channel& channel : further) {
+        if (!contains(chosen, channel)) chosen.push_back(channel);
+    }
+}
+
 void add_missing_motion(const std::vector<Channel>& all, std::vector<Channel>& chosen) {
     for (const Channel& channel : all) {
-        if (channel.motion && !contains(chosen, channel)) chosen.push_back(channel);
+        if (is_motion(channel.column.role) && !contains(chosen, channel)) chosen.push_back(channel);
     }
 }
 

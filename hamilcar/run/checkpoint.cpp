@@ -19,12 +19,13 @@
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/whole_file.hpp"
 #include "hamilcar/run/checkpoint_fields.hpp"
+#include "hamilcar/run/validity.hpp"
 
 namespace hamilcar {
 
 namespace {
 
-constexpr std::string_view heading = "hamilcar state 4";  // the number: of this layout
+constexpr std::string_view heading = "hamilcar state 5";  // the number: of this layout
 constexpr std::string_view kind = heading.substr(0, heading.size() - 1);
 
 using Word = std::array<char, 24>;
@@ -70,7 +71,7 @@ public:
     }
     void add(const std::vector<double>& numbers) {
         add(numbers.size());
-        row({}, numbers, any_finite);
+        add_row(numbers);
     }
     void add(std::string_view text) { bytes_.append(text); }
 
@@ -85,9 +86,7 @@ public:
         add(static_cast<std::int64_t>(one));
     }
     void truth(std::string_view, const bool& yes) { add(static_cast<std::uint8_t>(yes)); }
-    void row(std::string_view, std::span<const double> numbers, Limits) {
-        bytes_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes());
-    }
+    void state(std::string_view, const StateLayout&, std::span<const double> numbers, Limits) { add_row(numbers); }
 
     std::string take() {
         io::Checksum sum;
@@ -97,6 +96,9 @@ public:
     }
 
 private:
+    void add_row(std::span<const double> numbers) {
+        bytes_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes());
+    }
     std::string bytes_;
 };
 
@@ -135,7 +137,8 @@ public:
         take(count);
         if (count > rest_.size() / sizeof(double)) refuse_damaged();
         numbers.resize(count);
-        row(name, numbers, any_finite);
+        read_row(numbers);
+        for (const double number : numbers) expect(name, number, any_finite);
     }
 
     // The fields of a snapshot, each within its limits whatever the checksum says: anybody can compute one.
@@ -163,9 +166,13 @@ public:
         expect(name, value, {0, 1});
         yes = value == 1;
     }
-    void row(std::string_view name, std::span<double> numbers, Limits limits) {
-        read(reinterpret_cast<char*>(numbers.data()), numbers.size_bytes());
-        for (const double number : numbers) expect(name, number, limits);
+    void state(std::string_view name, const StateLayout& layout, std::span<double> numbers, Limits position) {
+        read_row(numbers);
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            const StateNumber& one = layout.numbers()[i];
+            const Limits& limits = one.kind == StateKind::position ? position : any_finite;
+            if (!within(numbers[i], limits)) expect(fmt::format("{}.{}", name, one.name), numbers[i], limits);
+        }
     }
 
     void finish() const {
@@ -177,15 +184,17 @@ public:
 
 private:
     [[noreturn]] void refuse_damaged() const { fail("the checkpoint is damaged or cut off"); }
+    static bool within(double value, const Limits& limits) { return value >= limits.min && value <= limits.max; }
     void expect(std::string_view name, double value, Limits limits) const {
-        if (value >= limits.least && value <= limits.most) return;
-        const bool bounded = limits.most < any_finite.most;
-        const std::string expected = bounded && limits.least == limits.most ? fmt::format("{:g}", limits.least)
-                                     : bounded           ? fmt::format("{:g} to {:g}", limits.least, limits.most)
-                                     : limits.least == 0 ? "a finite number not below zero"
-                                                         : "a finite number";
+        if (within(value, limits)) return;
+        const bool bounded = limits.max < any_finite.max;
+        const std::string expected = bounded && limits.min == limits.max ? fmt::format("{:g}", limits.min)
+                                     : bounded         ? fmt::format("{:g} to {:g}", limits.min, limits.max)
+                                     : limits.min == 0 ? "a finite number not below zero"
+                                                       : "a finite number";
         fail(fmt::format("the checkpoint is damaged: {} = {:g}: expected {}", name, value, expected));
     }
+    void read_row(std::span<double> numbers) { read(reinterpret_cast<char*>(numbers.data()), numbers.size_bytes()); }
     void read(char* to, std::size_t bytes) {
         if (bytes > rest_.size()) refuse_damaged();
         if (bytes == 0) return;  // where an empty list has no place to copy to
@@ -199,10 +208,8 @@ private:
 // A mistyped name must not cost a scenario. An empty file has nothing to lose.
 void check_place(const std::string& path) {
     io::expect_writable_place(path);
-    std::ifstream file(path, std::ios::binary);
-    std::string begins(kind.size(), '\0');
-    file.read(begins.data(), static_cast<std::streamsize>(begins.size()));
-    if (file.gcount() == 0 || begins == kind) return;
+    const std::string begins = io::file_beginning(path, kind.size());
+    if (begins.empty() || begins == kind) return;
     throw io::Error(io::ExitCode::usage,
                     path + " is there and is no checkpoint: expected a new file, or an earlier checkpoint");
 }
@@ -229,8 +236,7 @@ std::vector<std::string> differences(const Head& its, const Head& here) {
 }  // namespace
 
 SnapshotBounds::SnapshotBounds(const Simulation& simulation)
-    : state_size(static_cast<std::size_t>(simulation.model().vehicle.state_size)),
-      step(simulation.scenario().solver.step) {
+    : layout(simulation.vehicle()), step(simulation.scenario().solver.step) {
     const Method& method = *find_method(simulation.scenario().solver.integrator);
     order = std::min(method.order, max_adams_order);
     is_multi_step =
@@ -260,14 +266,16 @@ void write_checkpoint(const std::string& path, const Simulation& simulation, con
     file.add(heading);
     visit_head(head, [&](const auto& what) { file.add(what); });
     visit_snapshot(*snapshot, SnapshotBounds(simulation), file);
-    file.row("rates", {rates_of(simulation).values.data(), head.size}, any_finite);
+    const State<double> rates = rates_of(simulation);
+    file.state("rates", StateLayout(simulation.vehicle()), {rates.values.data(), head.size}, any_finite);
     visit_figures(progressed.summary, file);
+    file.add(progressed.summary.validity_marks);
     file.add(progressed.x), file.add(progressed.y);
     io::write_whole_file(path, {file.take()});
 }
 
 Progressed read_checkpoint(const std::string& path, Simulation& simulation, const Origin& origin) {
-    const std::string bytes = io::read_whole_file(path, io::LargestFile::checkpoint);
+    const std::string bytes = io::read_whole_file(path, io::FileLimit::checkpoint);
     Reader file(bytes, path);
     const Head here = head_of(simulation, origin);
     Head its;
@@ -277,9 +285,13 @@ Progressed read_checkpoint(const std::string& path, Simulation& simulation, cons
     const auto snapshot = std::make_unique<Snapshot>();
     visit_snapshot(*snapshot, SnapshotBounds(simulation), file);
     State<double> rates;
-    file.row("rates", {rates.values.data(), here.size}, any_finite);
+    file.state("rates", StateLayout(simulation.vehicle()), {rates.values.data(), here.size}, any_finite);
     Progressed out;
     visit_figures(out.summary, file);
+    file.take("what limits its validity", out.summary.validity_marks);
+    if (!ValidityMonitor::fit(simulation, out.summary.validity_marks)) {
+        file.fail("the checkpoint is damaged: what it says of the run's validity belongs to no such run");
+    }
     file.take("the path's x", out.x), file.take("the path's y", out.y);
     if (out.x.size() != out.y.size()) file.fail("the checkpoint is damaged: its path has more x than y, or fewer");
     file.finish();

@@ -1,7 +1,7 @@
 // Every field of a checkpoint with the values that it may have: one list for who writes and for who reads. A visitor has
 //
 //     real(name, number, limits), whole(name, number or enumeration, limits), choice(name, enumeration, which are allowed),
-//     truth(name, yes), row(name, numbers, limits)
+//     truth(name, yes), state(name, layout, numbers, limits of the position)
 #pragma once
 
 #include <algorithm>
@@ -15,12 +15,13 @@
 
 #include "hamilcar/run/record.hpp"
 #include "hamilcar/run/simulation.hpp"
+#include "hamilcar/vehicle/state_layout.hpp"
 
 namespace hamilcar {
 
 // What a field may be, ends included; no NaN is within any limits.
 struct Limits {
-    double least, most;
+    double min, max;
 };
 inline constexpr Limits any_finite{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
 inline constexpr Limits any_number_at_all{-std::numeric_limits<double>::infinity(),
@@ -30,7 +31,7 @@ inline constexpr Limits any_number_at_all{-std::numeric_limits<double>::infinity
 struct SnapshotBounds {
     explicit SnapshotBounds(const Simulation& simulation);
 
-    std::size_t state_size;
+    StateLayout layout;
     int order;                                 // of the method
     bool is_multi_step;                        // it remembers past rates
     double step;                               // [s]
@@ -83,9 +84,8 @@ void visit_driver(SomeMemory& d, double time, const SnapshotBounds& b, Visitor& 
 template <class SomeSnapshot, class Visitor>
 void visit_snapshot(SomeSnapshot& s, const SnapshotBounds& b, Visitor& v) {
     v.whole("step_count", s.step_count, {0, b.steps});
-    constexpr std::size_t place = 3;  // of the vehicle, first in the state
-    v.row("state.position", std::span(s.state.values.data(), place), Limits{-b.farthest, b.farthest});
-    v.row("state", std::span(s.state.values.data() + place, b.state_size - place), any_finite);
+    const auto size = static_cast<std::size_t>(b.layout.size());
+    v.state("state", b.layout, std::span(s.state.values.data(), size), Limits{-b.farthest, b.farthest});
 
     // Since a run's start every step has added one rate to the ring of past ones.
     const auto taken = static_cast<double>(s.step_count);
@@ -97,7 +97,7 @@ void visit_snapshot(SomeSnapshot& s, const SnapshotBounds& b, Visitor& v) {
     v.truth("memory.converged", s.memory.converged);
     for (int j = 0; j < s.memory.remembered; ++j) {
         const auto k = static_cast<std::size_t>((s.memory.newest + b.order - j) % b.order);
-        v.row("memory.past", std::span(s.memory.past[k].values.data(), b.state_size), any_finite);
+        v.state("memory.past", b.layout, std::span(s.memory.past[k].values.data(), size), any_finite);
     }
 
     for (std::size_t i = 0; i < control_count; ++i) {
@@ -112,21 +112,21 @@ void visit_snapshot(SomeSnapshot& s, const SnapshotBounds& b, Visitor& v) {
     visit_driver(s.driver, (taken + 1) * b.step, b, v);
 }
 
-// How the run went so far. Where nobody kept an energy account its error is a NaN, which is no number of a file.
+// How the run went so far. Where no energy account was kept its error is a NaN, which is no number of a file.
 template <class SomeSummary, class Visitor>
 void visit_figures(SomeSummary& summary, Visitor& v) {
     constexpr Limits size{0,
-                          any_number_at_all.most};  // of numbers that were too large, none is left but an infinite one
-    bool kept = !std::isnan(summary.worst_energy_drift);
-    v.real("worst_opening", summary.worst_opening, size);
+                          any_number_at_all.max};  // of numbers that were too large, none is left but an infinite one
+    bool kept = !std::isnan(summary.max_balance_error);
+    v.real("max_violation", summary.max_violation, size);
     v.truth("energy_kept", kept);
     if (kept) {
-        v.real("worst_energy_drift", summary.worst_energy_drift, size);
+        v.real("max_balance_error", summary.max_balance_error, size);
     } else if constexpr (!std::is_const_v<SomeSummary>) {
-        summary.worst_energy_drift = std::numeric_limits<double>::quiet_NaN();
+        summary.max_balance_error = std::numeric_limits<double>::quiet_NaN();
     }
-    v.real("largest_kinetic_energy", summary.largest_kinetic_energy, size);
-    v.real("largest_work", summary.largest_work, size);
+    v.real("max_kinetic_energy", summary.max_kinetic_energy, size);
+    v.real("max_work", summary.max_work, size);
     v.real("wall_time", summary.wall_time, size);
 }
 

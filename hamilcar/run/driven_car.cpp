@@ -11,13 +11,14 @@ namespace hamilcar {
 
 namespace {
 
-constexpr double usual_lock = 2.5 * std::numbers::pi;  // where a vehicle file does not say how far the rack goes [rad]
-constexpr double some_steer = 1e-3;                    // a wheel that turns less per rack is not steered [rad/m]
+constexpr double default_lock =
+    2.5 * std::numbers::pi;          // where a vehicle file does not say how far the rack goes [rad]
+constexpr double some_steer = 1e-3;  // a wheel that turns less per rack is not steered [rad/m]
 
 struct Mean {
     double sum = 0, weight = 0;
     void add(double value, double share = 1) { sum += share * value, weight += share; }
-    double value(double otherwise) const { return weight > 0 ? sum / weight : otherwise; }
+    double value(double fallback) const { return weight > 0 ? sum / weight : fallback; }
 };
 
 // Steered and other wheels of the motor vehicle: turn per rack, and the places along x of either.
@@ -75,7 +76,7 @@ void add_steering(const VehicleDescription& vehicle, const Model<double>& model,
     if (wheelbase > 0) car.wheelbase = wheelbase;
     car.center_behind = front - vehicle.chassis.center_of_mass[0];
     if (!column.exists() || wheels.steer.weight == 0) return;
-    car.lock = vehicle.steering.rack_travel > 0 ? column.angle(vehicle.steering.rack_travel) : usual_lock;
+    car.lock = vehicle.steering.rack_travel > 0 ? column.angle(vehicle.steering.rack_travel) : default_lock;
     car.wheels_per_angle = wheels.steer.value(0) * column.center_ratio();
 }
 

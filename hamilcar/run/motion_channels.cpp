@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "hamilcar/run/scene.hpp"
-#include "hamilcar/run/unit_place.hpp"
+#include "hamilcar/run/unit_pose_of.hpp"
 
 namespace hamilcar {
 
@@ -17,20 +17,30 @@ std::array<double, 4> quaternion_of(const Mat3<double>& R) {
     return {q.w(), q.x(), q.y(), q.z()};
 }
 
-void add(std::vector<Channel>& list, std::string name, const char* unit, const char* what,
-         std::function<double(const Sample&)> read) {
-    list.push_back({{std::move(name), unit, what}, std::move(read), false, true});
+using io::ChannelRole;
+
+// The roles of components follow each other.
+ChannelRole component(ChannelRole first, std::size_t i) {
+    return static_cast<ChannelRole>(static_cast<std::size_t>(first) + i);
+}
+
+void add(std::vector<Channel>& list, io::Column column, std::function<double(const Sample&)> read) {
+    list.push_back({std::move(column), std::move(read)});
 }
 
 void add_pose(const SceneFrame& frame, bool on_ground, std::vector<Channel>& list) {
-    for (int i = 0; i < 3; ++i) {
-        add(list, fmt::format("{}.pose.{}", frame.name, axes[static_cast<std::size_t>(i)]), "m",
-            on_ground ? "where the vehicle frame's origin is, ground axes" : "against design, axes of its unit",
-            [pose = frame.pose, i](const Sample& s) { return pose(s).p[i]; });
+    for (std::size_t i = 0; i < 3; ++i) {
+        add(list,
+            {fmt::format("{}.pose.{}", frame.name, axes[i]), "m",
+             on_ground ? "where the vehicle frame's origin is, ground axes" : "against design, axes of its unit",
+             component(ChannelRole::pose_x, i), frame.name},
+            [pose = frame.pose, i](const Sample& s) { return pose(s).p[static_cast<int>(i)]; });
     }
     for (std::size_t i = 0; i < 4; ++i) {
-        add(list, fmt::format("{}.pose.{}", frame.name, quaternion[i]), "1",
-            on_ground ? "unit quaternion to ground axes" : "unit quaternion against design, to the axes of its unit",
+        add(list,
+            {fmt::format("{}.pose.{}", frame.name, quaternion[i]), "1",
+             on_ground ? "unit quaternion to ground axes" : "unit quaternion against design, to the axes of its unit",
+             component(ChannelRole::pose_qw, i), frame.name},
             [pose = frame.pose, i](const Sample& s) { return quaternion_of(pose(s).R)[i]; });
     }
 }
@@ -39,19 +49,25 @@ using ReadTire = std::function<const TireForces<double>&(const Sample&)>;
 
 void add_tire(const std::string& name, std::size_t unit, const ReadTire& forces, std::vector<Channel>& list) {
     for (int i = 0; i < 3; ++i) {
-        add(list, fmt::format("{}.contact.{}", name, axes[static_cast<std::size_t>(i)]), "m",
-            "the contact's middle, ground axes", [forces, unit, i](const Sample& s) {
-                const UnitPose<double> place = unit_place(s, unit);
+        const auto k = static_cast<std::size_t>(i);
+        add(list,
+            {fmt::format("{}.contact.{}", name, axes[k]), "m", "the contact's middle, ground axes",
+             component(ChannelRole::contact_x, k), name},
+            [forces, unit, i](const Sample& s) {
+                const UnitPose<double> place = unit_pose_of(s, unit);
                 return place.position[i] + place.R.row(i).dot(forces(s).frame.point);
             });
     }
     for (int i = 0; i < 3; ++i) {
-        add(list, fmt::format("{}.ground_force.{}", name, axes[static_cast<std::size_t>(i)]), "N",
-            "of the road on the tire, ground axes", [forces, unit, i](const Sample& s) {
+        const auto k = static_cast<std::size_t>(i);
+        add(list,
+            {fmt::format("{}.ground_force.{}", name, axes[k]), "N", "of the road on the tire, ground axes",
+             component(ChannelRole::ground_force_x, k), name},
+            [forces, unit, i](const Sample& s) {
                 const TireForces<double>& f = forces(s);
                 const Vec3<double> force =
                     f.tire.Fx * f.frame.longitudinal + f.tire.Fy * f.frame.lateral + f.tire.Fz * f.frame.normal;
-                return unit_place(s, unit).R.row(i).dot(force);
+                return unit_pose_of(s, unit).R.row(i).dot(force);
             });
     }
 }

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "hamilcar/base/units.hpp"
 
 namespace hamilcar {
 
 namespace {
 
-constexpr double rpm = 30 / std::numbers::pi;  // per rad/s
+using units::rpm;
 
+using io::ChannelRole;
 using Unit = PowerUnit<double>::Output;
 using Lock = Differential<double>::Output;
 
@@ -22,29 +24,33 @@ double gear_in(const Sample& s, std::size_t i) {
 }
 
 void add_unit_channels(const std::string& name, std::size_t i, std::vector<Channel>& list) {
-    const auto add = [&](const char* what, const char* unit, const char* meaning, auto read, bool standard) {
-        list.push_back({{name + what, unit, meaning},
+    const auto add = [&](const char* what, const char* unit, const char* meaning, auto read, bool standard,
+                         ChannelRole role = ChannelRole::none) {
+        list.push_back({{name + what, unit, meaning, role, name},
                         [i, read](const Sample& s) {
                             return s.model.vehicle.powertrain.exists() ? read(s.momenta.powertrain.units[i]) : 0;
                         },
                         standard});
     };
     add(
-        ".speed", "rpm", "of the rotor", [](const Unit& u) { return rpm * u.spin; }, true);
+        ".speed", "rpm", "of the rotor", [](const Unit& u) { return u.spin / rpm; }, true, ChannelRole::rotor_speed);
     add(
-        ".torque", "N m", "of combustion or field on the rotor", [](const Unit& u) { return u.source; }, true);
+        ".torque", "N m", "of combustion or field on the rotor", [](const Unit& u) { return u.source; }, true,
+        ChannelRole::rotor_torque);
     add(
         ".power", "kW", "of that torque", [](const Unit& u) { return 1e-3 * u.source * u.spin; }, false);
     add(
-        ".throttle", "1", "that is in force", [](const Unit& u) { return u.throttle; }, false);
-    list.push_back({{name + ".gear", "1", "that is in: -1 reverse, 0 none, 1 first"},
+        ".throttle", "1", "that is in force", [](const Unit& u) { return u.throttle; }, false,
+        ChannelRole::unit_throttle);
+    list.push_back({{name + ".gear", "1", "that is in: -1 reverse, 0 none, 1 first", ChannelRole::gear, name},
                     [i](const Sample& s) { return gear_in(s, i); },
                     true});
     add(
-        ".clutch_torque", "N m", "through the clutch, to the gearbox", [](const Unit& u) { return u.clutch; }, true);
+        ".clutch_torque", "N m", "through the clutch, to the gearbox", [](const Unit& u) { return u.clutch; }, true,
+        ChannelRole::clutch_torque);
     add(
         ".clutch_slip", "rpm", "of the rotor over the gearbox's input",
-        [](const Unit& u) { return rpm * (u.spin - u.shaft_speed); }, false);
+        [](const Unit& u) { return (u.spin - u.shaft_speed) / rpm; }, false);
     add(
         ".converter_torque", "N m", "of the turbine on the gearbox", [](const Unit& u) { return u.turbine; }, false);
     add(

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hamilcar/run/channels.hpp"
+#include "hamilcar/run/validity_warning.hpp"
 
 namespace hamilcar {
 
@@ -17,12 +18,14 @@ struct RunSummary {
     double wall_time = 0;                    // of stepping and writing [s]
     std::optional<std::string> ended_early;  // why
     bool interrupted = false;
-    double worst_opening = 0;           // of a cut joint, at the samples [m]
-    double worst_energy_drift = 0;      // of the energy balance, at the samples; NaN if none is kept [J]
-    double largest_kinetic_energy = 0;  // [J]
-    double largest_work = 0;            // of the forces that keep no energy, either sign [J]
-    // What to compare the drift with [J].
-    double turnover() const { return std::max(largest_kinetic_energy, largest_work); }
+    double max_violation = 0;               // of a cut joint, at the samples [m]
+    double max_balance_error = 0;           // of the energy balance, at the samples; NaN if none is kept [J]
+    double max_kinetic_energy = 0;          // [J]
+    double max_work = 0;                    // of the forces that keep no energy, either sign [J]
+    std::vector<ValidityWarning> validity;  // at the end: where models were used beyond their ranges
+    std::vector<double> validity_marks;     // of the ValidityMonitor so far
+    // What to compare the balance error with [J].
+    double energy_exchanged() const { return std::max(max_kinetic_energy, max_work); }
     double real_time_factor() const { return wall_time > 0 ? duration / wall_time : 0; }
 };
 
@@ -35,6 +38,5 @@ using OnRow = std::function<void(const Sample&, const std::vector<double>&)>;
 // gone on with brings the summary of its first part; its start is recorded where a row is due.
 RunSummary record(Simulation& simulation, const std::vector<Channel>& channels, double interval, const OnRow& on_row,
                   const KeepGoing& keep_going, RunSummary summary = {});
-long steps_per_row(const Simulation& simulation, double interval);
 
 }  // namespace hamilcar

@@ -22,8 +22,9 @@ std::optional<RackBeyondStops> rack_beyond_stops(const ScenarioDescription& scen
     return {};
 }
 
-void reject_key(const std::string& key, const std::string& message) {
-    throw io::Error(io::ExitCode::bad_file, fmt::format("key '{}'{}", key, message), key);
+void reject_key(const ScenarioDescription& scenario, const std::string& key, const std::string& message) {
+    throw io::Error(io::ExitCode::bad_file, fmt::format("{}key '{}'{}", at_key(scenario.places, key), key, message),
+                    key);
 }
 
 namespace {
@@ -31,14 +32,14 @@ namespace {
 // An input that nothing in the car listens to is a mistake in the scenario or in the vehicle.
 void check_inputs(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
     if (scenario.steering_input == SteeringInput::steering_wheel && vehicle.steering.rack_per_revolution <= 0) {
-        reject_key("inputs.steering_wheel",
+        reject_key(scenario, "inputs.steering_wheel",
                    fmt::format(": {} has no [steering]; expected rack_m_per_revolution there, or inputs.rack here",
                                vehicle.name));
     }
     const double driven = driven_share(vehicle);
     for (const double torque : scenario.drive.value) {
         if (torque == 0 || driven > 0) continue;
-        reject_key("inputs.drive",
+        reject_key(scenario, "inputs.drive",
                    fmt::format(" asks for {:g} N m, but no axle of {} is driven; expected a drive_share there", torque,
                                vehicle.name));
     }
@@ -50,7 +51,8 @@ void check_posts(const ScenarioDescription& scenario, const VehicleDescription& 
     for_each_wheel(vehicle, [&](const auto&, std::size_t) { ++wheels; });
     const std::size_t posts = scenario.road.posts.height.size();
     if (posts <= wheels) return;
-    reject_key("road.posts.wheel", fmt::format(": {} posts for the {} wheels of {}", posts, wheels, vehicle.name));
+    reject_key(scenario, "road.posts.wheel",
+               fmt::format(": {} posts for the {} wheels of {}", posts, wheels, vehicle.name));
 }
 
 // The rack ends at its stops; a schedule that asks for more is a mistake, not a wish.
@@ -58,7 +60,7 @@ void check_rack(const ScenarioDescription& scenario, const SteeringDescription& 
     const auto beyond = rack_beyond_stops(scenario, steering);
     if (!beyond) return;
     const bool wheel = scenario.steering_input == SteeringInput::steering_wheel;
-    reject_key(wheel ? "inputs.steering_wheel" : "inputs.rack",
+    reject_key(scenario, wheel ? "inputs.steering_wheel" : "inputs.rack",
                fmt::format(" at t = {:g} s: the rack would stand at {:.4g}, expected within -{} to {} [m]",
                            beyond->time, beyond->displacement, steering.rack_travel, steering.rack_travel));
 }
@@ -70,7 +72,7 @@ void check_power(const ScenarioDescription& scenario, const VehicleDescription& 
                             : !scenario.gear.time.empty()   ? "inputs.gear"
                                                             : "driver.gear";
     if (vehicle.power_units.empty()) {
-        reject_key(key,
+        reject_key(scenario, key,
                    fmt::format(": {} has no power unit; expected a [[power_unit]] there, or a torque at the wheels "
                                "by inputs.drive here",
                                vehicle.name));
@@ -79,11 +81,12 @@ void check_power(const ScenarioDescription& scenario, const VehicleDescription& 
     const auto check = [&](const std::string& where, double gear) {
         const double last = static_cast<double>(gearbox.ratios.size()), first = gearbox.reverse_ratio > 0 ? -1 : 0;
         if (gear >= first && gear <= last && gear == std::floor(gear)) return;
-        reject_key(where, fmt::format(" = {:g}: {} has no such gear; expected one of {:g} ({}) to {:g}", gear,
-                                      vehicle.name, first, first < 0 ? "reverse" : "neutral", last));
+        reject_key(scenario, where,
+                   fmt::format(" = {:g}: {} has no such gear; expected one of {:g} ({}) to {:g}", gear, vehicle.name,
+                               first, first < 0 ? "reverse" : "neutral", last));
     };
     if (scenario.gear.time.empty() && !scenario.driver.shifting) {
-        reject_key(key, ": no gear is in; expected inputs.gear or [driver.gear] beside it");
+        reject_key(scenario, key, ": no gear is in; expected inputs.gear or [driver.gear] beside it");
     }
     for (const double gear : scenario.gear.value) check("inputs.gear", gear);
     const auto& shifting = scenario.driver.shifting;
@@ -91,27 +94,29 @@ void check_power(const ScenarioDescription& scenario, const VehicleDescription& 
     if (shifting->gear) return check("driver.gear.number", *shifting->gear);
     const int last = static_cast<int>(gearbox.ratios.size());
     if (last == 0 || (shifting->first_gear >= 1 && shifting->first_gear <= last)) return;
-    reject_key("driver.gear.first", fmt::format(" = {}: {} has no such gear; expected one of 1 to {}",
-                                                shifting->first_gear, vehicle.name, last));
+    reject_key(
+        scenario, "driver.gear.first",
+        fmt::format(" = {}: {} has no such gear; expected one of 1 to {}", shifting->first_gear, vehicle.name, last));
 }
 
 // A driver who steers needs a steering wheel; one who is to go needs wheels that drive, and a gear that goes forward.
 void check_driver(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
     const DriverDescription& driver = scenario.driver;
     if (driver.steering && vehicle.steering.rack_per_revolution <= 0) {
-        reject_key("driver.path",
+        reject_key(scenario, "driver.path",
                    fmt::format(": {} has no [steering]; expected rack_m_per_revolution there", vehicle.name));
     }
     const auto above_zero = [](double number) { return number > 0; };
     if (!driver.speed || std::ranges::none_of(driver.speed->speed.value, above_zero)) return;
     if (!is_powered(scenario) && driven_share(vehicle) <= 0) {
-        reject_key("driver.speed",
+        reject_key(scenario, "driver.speed",
                    fmt::format(": no axle of {} is driven; expected a drive_share there", vehicle.name));
     }
-    const auto refuse = [](const std::string& key, double gear) {
-        reject_key(key, fmt::format(" = {:g}: {} takes nobody to the wanted speed; expected a forward gear beside "
-                                    "[driver.speed]",
-                                    gear, gear < 0 ? "the reverse gear" : "neutral"));
+    const auto refuse = [&](const std::string& key, double gear) {
+        reject_key(scenario, key,
+                   fmt::format(" = {:g}: {} cannot reach the wanted speed; expected a forward gear beside "
+                               "[driver.speed]",
+                               gear, gear < 0 ? "the reverse gear" : "neutral"));
     };
     const auto& shifting = driver.shifting;
     if (shifting && shifting->gear && *shifting->gear < 1) refuse("driver.gear.number", *shifting->gear);

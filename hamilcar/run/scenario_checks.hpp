@@ -9,8 +9,9 @@
 
 namespace hamilcar {
 
-// A mistake at a key of the scenario; the message goes on after the key's name. Throws io::Error(bad_file).
-[[noreturn]] void reject_key(const std::string& key, const std::string& message);
+// A mistake at a key of the scenario; the message begins with the key's place, and goes on after its name. Throws
+// io::Error(bad_file).
+[[noreturn]] void reject_key(const ScenarioDescription& scenario, const std::string& key, const std::string& message);
 
 // The first instant at which a steering input asks for more than the rack's stops allow; nothing where it never does.
 struct RackBeyondStops {
@@ -23,7 +24,7 @@ std::optional<RackBeyondStops> rack_beyond_stops(const ScenarioDescription& scen
 // cannot drive it, a rack beyond its stops, a post under no wheel.
 void check_scenario(const ScenarioDescription& scenario, const VehicleDescription& vehicle);
 
-// The vehicle as the scenario drives it: checked, and without power units where nobody uses them (is_powered).
+// The vehicle as the scenario drives it: checked, and without power units where they are not used (is_powered).
 VehicleDescription as_driven(VehicleDescription vehicle, const ScenarioDescription& scenario);
 
 }  // namespace hamilcar

@@ -5,7 +5,7 @@
 
 #include "hamilcar/math/convert.hpp"
 #include "hamilcar/run/scene_suspension.hpp"
-#include "hamilcar/run/unit_place.hpp"
+#include "hamilcar/run/unit_pose_of.hpp"
 
 namespace hamilcar {
 
@@ -32,7 +32,15 @@ SceneBody box_of_inertia(const BodyDescription& body, std::size_t unit) {
     return box;
 }
 
+SceneBody box_of_bodywork(const BodyworkDescription& body, std::size_t unit) {
+    return {unit,
+            {body.front - body.length, -body.width / 2, body.bottom},
+            {body.front, body.width / 2, body.top},
+            body.style};
+}
+
 SceneBody bodywork(const VehicleDescription& vehicle) {
+    if (vehicle.bodywork) return box_of_bodywork(*vehicle.bodywork, 0);
     if (vehicle.hull.points.empty()) return box_of_inertia(vehicle.chassis, 0);
     SceneBody box{0, vehicle.hull.points[0], vehicle.hull.points[0]};
     for (const Point& point : vehicle.hull.points) {
@@ -49,7 +57,7 @@ Scene make_scene(const VehicleDescription& vehicle) {
     Scene scene;
     for (std::size_t unit = 0; unit <= vehicle.trailers.size(); ++unit) {
         scene.frames.push_back({unit == 0 ? "chassis" : vehicle.trailers[unit - 1].name, unit, [unit](const Sample& s) {
-                                    const UnitPose<double> place = unit_place(s, unit);
+                                    const UnitPose<double> place = unit_pose_of(s, unit);
                                     return Pose<double>{place.R, place.position};
                                 }});
     }
@@ -58,7 +66,9 @@ Scene make_scene(const VehicleDescription& vehicle) {
     }
     scene.bodies.push_back(bodywork(vehicle));
     for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {
-        scene.bodies.push_back(box_of_inertia(vehicle.trailers[i].chassis, i + 1));
+        const TrailerDescription& trailer = vehicle.trailers[i];
+        scene.bodies.push_back(trailer.bodywork ? box_of_bodywork(*trailer.bodywork, i + 1)
+                                                : box_of_inertia(trailer.chassis, i + 1));
     }
     return scene;
 }

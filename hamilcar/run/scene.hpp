@@ -1,10 +1,11 @@
 // What a vehicle looks like: which parts move, and what is seen of them, from its own hardpoints. The page draws it; the poses of
-// the parts are channels like all others (motion_channels.hpp), so a result file with both is a film.
+// the parts are channels like all others (motion_channels.hpp), so a result file with both is a replay.
 //
 // Everything is in the vehicle frame at design, where every pose is the identity.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,10 +43,11 @@ struct SceneWheel {
     std::vector<double> tires;  // offsets along the axis [m]
 };
 
-// The box around the bodywork of a unit.
+// The box around the bodywork of a unit, and its style if the vehicle's file states one.
 struct SceneBody {
     std::size_t unit;
     Point low, high;  // [m]
+    std::optional<BodyStyle> style = {};
 };
 
 struct Scene {
@@ -58,7 +60,7 @@ struct Scene {
 
 Scene make_scene(const VehicleDescription& vehicle);
 
-// A scene and its road as the JSON that the page reads (web/src/document.ts).
+// A scene and its road as the JSON that the page reads (schemas/page.schema.json, "scene").
 std::string scene_json(const VehicleDescription& vehicle, const ScenarioDescription& scenario);
 
 }  // namespace hamilcar

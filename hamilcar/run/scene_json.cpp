@@ -64,7 +64,9 @@ std::string scene_json(const VehicleDescription& vehicle, const ScenarioDescript
     }
     for (const std::string& tire : scene.tires) tires.push_back({{"name", tire}});
     for (const SceneBody& body : scene.bodies) {
-        bodies.push_back({{"unit", body.unit}, {"low", body.low}, {"high", body.high}});
+        json box{{"unit", body.unit}, {"low", body.low}, {"high", body.high}};
+        if (body.style) box["style"] = body_style_names[static_cast<std::size_t>(*body.style)];
+        bodies.push_back(std::move(box));
     }
     return json{{"vehicle", vehicle.name}, {"units", 1 + vehicle.trailers.size()},
                 {"frames", frames},        {"links", links},

@@ -19,19 +19,27 @@ namespace hamilcar {
 
 namespace {
 
-const Method& require_method(const SolverDescription& solver) {
+const Method& require_method(const ScenarioDescription& scenario) {
+    const SolverDescription& solver = scenario.solver;
     const Method* method = find_method(solver.integrator);
     if (method) return *method;
     std::string known;
     for (const Method& m : methods) known += (known.empty() ? "" : ", ") + std::string(m.name);
-    reject_key("solver.integrator", fmt::format(" = \"{}\": expected one of {}", solver.integrator, known));
+    reject_key(scenario, "solver.integrator", fmt::format(" = \"{}\": expected one of {}", solver.integrator, known));
 }
 
-double require_gain(const SolverDescription& solver) {
-    require_method(solver);
+double require_gain(const ScenarioDescription& scenario) {
+    const SolverDescription& solver = scenario.solver;
+    require_method(scenario);
     const GainChoice choice = stabilization_gain(solver);
     if (choice.expectation.empty()) return choice.gain;
-    reject_key("solver.stabilization_gain_per_s", fmt::format(" = {:g}: expected {}", choice.gain, choice.expectation));
+    reject_key(scenario, "solver.stabilization_gain_per_s",
+               fmt::format(" = {:g}: expected {}", choice.gain, choice.expectation));
+}
+
+// A car that cannot stand or move.
+[[noreturn]] void refuse_vehicle(const VehicleDescription& vehicle, const std::string& problem) {
+    throw io::Error(io::ExitCode::numerical, at_key(vehicle.places) + problem);
 }
 
 Model<double> make_model(const VehicleDescription& vehicle, const ScenarioDescription& scenario,
@@ -41,7 +49,7 @@ Model<double> make_model(const VehicleDescription& vehicle, const ScenarioDescri
             .surface = surface,
             .chart = scenario.solver.chart,
             .constraints = scenario.solver.constraints,
-            .stabilization_gain = require_gain(scenario.solver),
+            .stabilization_gain = require_gain(scenario),
             .energy_balance = scenario.solver.energy_balance};
 }
 
@@ -53,7 +61,7 @@ Simulation::Simulation(VehicleDescription vehicle, ScenarioDescription scenario)
       surface_(make_surface(scenario_.road)),
       model_(make_model(vehicle_, scenario_, surface_.get())),
       schedule_(scenario_, vehicle_.steering),
-      integrator_(require_method(scenario_.solver), scenario_.solver.step, model_.vehicle.state_size,
+      integrator_(require_method(scenario_), scenario_.solver.step, model_.vehicle.state_size,
                   scenario_.solver.tolerance),
       total_steps_(std::lround(scenario_.duration / scenario_.solver.step)) {
     start();
@@ -78,15 +86,14 @@ void Simulation::start() {
         rack.displacement = input.rack.displacement * i / lead_in;
         assembly = assemble(model_, rack, state_);
     }
-    if (!assembly.assembled)
-        throw io::Error(io::ExitCode::numerical, assembly_problem(vehicle_, model_, assembly.worst));
+    if (!assembly.assembled) refuse_vehicle(vehicle_, assembly_problem(vehicle_, model_, assembly.worst));
     if (initial.settle) {
         const EquilibriumResult result = settle(model_, input, state_);
         if (!result.found) {
-            throw io::Error(io::ExitCode::numerical,
-                            fmt::format("the car does not settle on the road: {:.3g} N or N m stay unbalanced; check "
-                                        "springs, tires and masses, or set initial.settle = false",
-                                        result.residual));
+            refuse_vehicle(vehicle_,
+                           fmt::format("the car does not settle on the road: {:.3g} N or N m stay unbalanced; check "
+                                       "springs, tires and masses, or set initial.settle = false",
+                                       result.residual));
         }
     }
     set_velocities(model_, input, spatial<double>(vec3(initial.velocity), vec3(initial.angular_velocity)), state_);
@@ -94,7 +101,7 @@ void Simulation::start() {
     start_driver();
     last_good_ = state_;
     const std::string problem = inspect(velocity_block(model_, state_, input).health);
-    if (!problem.empty()) throw io::Error(io::ExitCode::numerical, "at the start: " + problem);
+    if (!problem.empty()) refuse_vehicle(vehicle_, "at the start: " + problem);
     initial_balance_ = sample().energy.balance();
 }
 
@@ -107,7 +114,7 @@ void Simulation::start_driver() {
     try {
         driver_.emplace(described, car_, Column(vehicle_.steering));
     } catch (const std::invalid_argument& mistake) {
-        reject_key("driver", fmt::format(": {}", mistake.what()));
+        reject_key(scenario_, "driver", fmt::format(": {}", mistake.what()));
     }
     if (!driver_->is_active()) return driver_.reset();
     driver_->begin(schedule_);
@@ -156,11 +163,22 @@ void Simulation::restore(const Snapshot& from) {
     if (driver_) driver_->restore(from.driver);
 }
 
+// Name of the first number of the state that is not finite.
+std::string Simulation::first_not_finite() const {
+    const StateLayout layout(vehicle_);
+    std::size_t i = 0;
+    while (std::isfinite(state_.values[i])) ++i;
+    return layout.numbers()[i].name;
+}
+
 // What is wrong after a step, or nothing: all numbers finite, loops closed, linkages free.
 std::string Simulation::inspect(const Health<double>& health) const {
     double sum = 0;
     for (int i = 0; i < model_.vehicle.state_size; ++i) sum += 0 * state_.values[i];
-    if (sum != 0) return "the state is no longer finite; try a smaller step or a smaller stabilization gain";
+    if (sum != 0) {
+        return fmt::format("{} is no longer finite; try a smaller step or a smaller stabilization gain",
+                           first_not_finite());
+    }
     if (!integrator_.converged()) {
         return fmt::format("{} cannot meet the tolerance {:g} with any step", integrator_.method().name,
                            scenario_.solver.tolerance);
@@ -180,7 +198,8 @@ std::string Simulation::inspect(const Health<double>& health) const {
                            travels(worst.suspension));
     }
     return fmt::format(
-        "{} came apart: '{}' stands open by {:.1f} mm{}; the linkage may be past its reach, or try a smaller "
+        "{}: constraint violation: '{}' stands open by {:.1f} mm{}; the linkage may be past its reach, or try a "
+        "smaller "
         "step",
         suspension_name(vehicle_, worst.suspension), cut_name(vehicle_, model_, worst.suspension, worst.cut),
         1e3 * worst.violation, travels(worst.suspension));
@@ -213,7 +232,7 @@ Sample Simulation::sample() const {
              .mobility = 1};
     s.momenta = momenta_block(model_, state_, input, s.velocity);
     s.energy = energy(model_, state_, s.velocity, s.momenta);
-    if (!model_.energy_balance) s.energy.work = std::numeric_limits<double>::quiet_NaN();  // nobody kept it
+    if (!model_.energy_balance) s.energy.work = std::numeric_limits<double>::quiet_NaN();  // no account was kept
     for (int i = 0; i < static_cast<int>(model_.vehicle.suspensions.size()); ++i) {
         const LoopReport loop = inspect_loops(model_, input.rack, state_, i);
         s.violation = std::max(s.violation, loop.violation);

@@ -63,7 +63,7 @@ public:
     // What ended the run before its time, of those endings that the driver was told.
     std::optional<std::string> ending() const { return driver_ ? driver_->end_reason() : std::nullopt; }
     // What the driver could not do, with what was reached.
-    std::vector<std::string> complaints() const { return driver_ ? driver_->warnings() : std::vector<std::string>(); }
+    std::vector<std::string> warnings() const { return driver_ ? driver_->warnings() : std::vector<std::string>(); }
 
     // Compiles the step; the first `advance` does so otherwise. For who cannot wait then.
     void prepare();
@@ -98,6 +98,7 @@ public:
 private:
     void start();
     void start_driver();
+    std::string first_not_finite() const;
     std::string inspect(const Health<double>& health) const;
     std::string travels(int number) const;
 

@@ -3,18 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
-#include "hamilcar/run/unit_place.hpp"
+#include "hamilcar/base/units.hpp"
+#include "hamilcar/run/channel_names.hpp"
+#include "hamilcar/run/unit_pose_of.hpp"
 
 namespace hamilcar {
 
 namespace {
 
-constexpr double degree = 180 / std::numbers::pi;
+using io::ChannelRole;
+using units::degree;
 
 double camber(const Vec3<double>& axis, bool left) {
-    return degree * (left ? -1 : 1) * std::asin(std::clamp(axis[2], -1.0, 1.0));
+    return (left ? -1 : 1) * std::asin(std::clamp(axis[2], -1.0, 1.0)) / degree;
 }
 
 // How to read one wheel, whatever carries it.
@@ -32,11 +34,17 @@ void add(std::vector<Channel>& list, const std::string& name, const char* unit, 
     list.push_back({{name, unit, what}, std::move(read), standard});
 }
 
+// The channel added last is what its role says of that wheel or tire.
+void give_role(std::vector<Channel>& list, ChannelRole role, const std::string& of) {
+    list.back().column.role = role;
+    list.back().column.of = of;
+}
+
 void add_tire_channels(std::vector<Channel>& list, const std::string& name, bool standard,
                        const std::function<const TireForces<double>&(const Sample&)>& forces) {
-    const auto add_one = [&](const char* what, const char* unit, const char* meaning, auto read, bool usual) {
+    const auto add_one = [&](const char* what, const char* unit, const char* meaning, auto read, bool is_standard) {
         add(
-            list, name + what, unit, meaning, [forces, read](const Sample& s) { return read(forces(s)); }, usual);
+            list, name + what, unit, meaning, [forces, read](const Sample& s) { return read(forces(s)); }, is_standard);
     };
     using F = TireForces<double>;
     add_one(
@@ -45,6 +53,7 @@ void add_tire_channels(std::vector<Channel>& list, const std::string& name, bool
         ".lateral_force", "N", "on the wheel, road axes", [](const F& f) { return f.tire.Fy; }, standard);
     add_one(
         ".vertical_force", "N", "on the wheel, road normal", [](const F& f) { return f.tire.Fz; }, standard);
+    give_role(list, ChannelRole::vertical_force, name);
     add_one(
         ".longitudinal_slip_velocity", "m/s", "of the contact", [](const F& f) { return f.contact.v_sx; }, false);
     add_one(
@@ -58,12 +67,17 @@ void add_tire_channels(std::vector<Channel>& list, const std::string& name, bool
         ".longitudinal_slip", "1", "drive positive, held within -2 and 2",
         [](const F& f) { return std::clamp(-f.contact.v_sx / std::max(std::abs(f.contact.v_x), 1e-3), -2.0, 2.0); },
         false);
+    give_role(list, ChannelRole::longitudinal_slip, name);
     add_one(
         ".slip_angle", "deg", "positive where the wheel moves to its left",
-        [](const F& f) { return degree * std::atan2(f.contact.v_sy, std::max(std::abs(f.contact.v_x), 1e-3)); }, false);
+        [](const F& f) { return std::atan2(f.contact.v_sy, std::max(std::abs(f.contact.v_x), 1e-3)) / degree; }, false);
+    give_role(list, ChannelRole::slip_angle, name);
+    add_one(
+        ".friction_power", "W", "that sliding turns to heat and wear",
+        [](const F& f) { return -(f.tire.Fx * f.contact.v_sx + f.tire.Fy * f.contact.v_sy); }, false);
     add_one(
         ".inclination", "deg", "of the wheel against the road, top to the right positive",
-        [](const F& f) { return degree * std::asin(f.contact.camber); }, false);
+        [](const F& f) { return std::asin(f.contact.camber) / degree; }, false);
     add_one(
         ".friction", "1", "the road's factor under the wheel", [](const F& f) { return f.contact.friction; }, false);
 }
@@ -79,16 +93,39 @@ void add_wheel_channels(std::vector<Channel>& list, const WheelReader& wheel) {
     using F = WheelForces<double>;
     add_force(
         ".wheel.travel", "m", "wheel center against design, up positive", [](const F& f) { return f.travel; }, true);
+    give_role(list, ChannelRole::wheel_travel, name);
     add(list, name + ".wheel.camber", "deg", "top outboard positive, against the chassis",
         [axis = wheel.axis, left = wheel.left](const Sample& s) { return camber(axis(s), left); });
     add(list, name + ".wheel.steer", "deg", "to the left positive, toe included, against the chassis",
-        [axis = wheel.axis](const Sample& s) { return degree * std::atan2(-axis(s)[0], axis(s)[1]); });
+        [axis = wheel.axis](const Sample& s) { return std::atan2(-axis(s)[0], axis(s)[1]) / degree; });
     add_force(
         ".wheel.spin", "rad/s", "against the carrier", [](const F& f) { return f.spin; }, true);
+    give_role(list, ChannelRole::wheel_spin, name);
     add_force(".stop.force", "N", "on the wheel, up positive", [](const F& f) { return f.stop; });
     add_force(".anti_roll_bar.force", "N", "on the wheel, up positive", [](const F& f) { return f.bar; });
     add_force(".drive.torque", "N m", "on the wheel", [](const F& f) { return f.drive_torque; });
     add_force(".brake.torque", "N m", "on the wheel", [](const F& f) { return f.brake_torque; });
+}
+
+// The load of all tires of a wheel, and where its outer one stands on the ground, the one away from its unit's middle.
+void add_ground_channels(std::vector<Channel>& list, const SuspensionWheelDescription& wheel, std::size_t suspension,
+                         std::size_t i) {
+    const auto forces = [suspension, i](const Sample& s) -> const WheelForces<double>& {
+        return s.momenta.suspensions[suspension].wheels[i];
+    };
+    const std::size_t last = wheel.dual_spacing > 0 ? 1 : 0, outer = wheel.wheel.center[1] < 0 ? last : 0;
+    add(list, channel::wheel_load(wheel.name), "N", "of all its tires, on the wheel, road normal",
+        [forces, last](const Sample& s) {
+            return forces(s).tires[0].tire.Fz + (last > 0 ? forces(s).tires[last].tire.Fz : 0);
+        });
+    const auto contact = [forces, outer, suspension](const Sample& s) -> Vec3<double> {
+        const auto place = unit_pose_of(s, static_cast<std::size_t>(s.model.vehicle.suspensions[suspension].unit));
+        return place.position + place.R * forces(s).tires[outer].frame.point;
+    };
+    add(list, channel::contact_x(wheel.name), "m", "of the outer tire with the ground, ground axes",
+        [contact](const Sample& s) { return contact(s)[0]; });
+    add(list, channel::contact_y(wheel.name), "m", "of the outer tire with the ground, ground axes",
+        [contact](const Sample& s) { return contact(s)[1]; });
 }
 
 void add_channels_of_wheel(std::vector<Channel>& list, const SuspensionWheelDescription& wheel, std::size_t suspension,
@@ -99,6 +136,7 @@ void add_channels_of_wheel(std::vector<Channel>& list, const SuspensionWheelDesc
     };
     const auto axis = [suspension, i](const Sample& s) { return s.velocity.suspensions[suspension].axis[i]; };
     add_wheel_channels(list, {wheel.name, wheel.wheel.center[1] >= 0, forces, axis});
+    add_ground_channels(list, wheel, suspension, i);
     const auto tire = [forces](std::size_t k) {
         return [forces, k](const Sample& s) -> const TireForces<double>& { return forces(s).tires[k]; };
     };
@@ -146,7 +184,7 @@ void add_trailer_channels(std::vector<Channel>& list, const TrailerDescription& 
     const auto angle = [i](int k) {
         return [i, k](const Sample& s) {
             const double* angles_of_hitch = s.state.values.data() + s.model.vehicle.trailers[i].offset;
-            return degree * angles_of_hitch[k];
+            return angles_of_hitch[k] / degree;
         };
     };
     const std::vector<std::string> angles = hitch_angles(trailer.hitch);
@@ -160,7 +198,7 @@ void add_trailer_channels(std::vector<Channel>& list, const TrailerDescription& 
             list, fmt::format("{}.position.{}", trailer.name, axes[axis]), "m",
             "center of mass of the trailer's chassis, ground axes",
             [i, axis](const Sample& s) {
-                const UnitPose<double> place = unit_place(s, i + 1);
+                const UnitPose<double> place = unit_pose_of(s, i + 1);
                 return (place.position + place.R * s.model.vehicle.trailers[i].chassis.center)[axis];
             },
             axis < 2);

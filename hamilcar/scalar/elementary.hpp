@@ -41,9 +41,6 @@ struct ElementaryConstants<float> {
     static constexpr float sine[4] = {-1.66666604624e-1f, 8.33308816792e-3f, -1.98111127755e-4f, 2.60893267965e-6f};
 };
 
-template <class T>
-using ElementaryOf = ElementaryConstants<Real<T>>;
-
 // The polynomial as its even and odd part, which are independent of each other.
 template <class T, class Coefficient, std::size_t n>
 T split_polynomial(const Coefficient (&c)[n], const T& z) {
@@ -62,16 +59,21 @@ struct ReducedArctangent {
 
     ReducedArctangent() = default;
     ReducedArctangent(const T& size, const T& x) {
-        using C = ElementaryOf<T>;
+        const T half_pi =
+            in_precision<T>([](auto element) { return T(ElementaryConstants<decltype(element)>::half_pi); });
+        const T quarter_pi =
+            in_precision<T>([](auto element) { return T(ElementaryConstants<decltype(element)>::half_pi / 2); });
         const auto steep = size > T(2.41421356237309504880) * x, slanted = size > T(0.41421356237309504880) * x;
         above = select(steep, T(-x), select(slanted, T(size - x), size));
         below = select(steep, size, select(slanted, T(size + x), x));
-        offset = select(steep, T(C::half_pi), select(slanted, T(C::half_pi / 2), T(0)));
+        offset = select(steep, half_pi, select(slanted, quarter_pi, T(0)));
     }
     // `t`: above / below; `y` gives the sign.
     T angle(const T& y, const T& t) const {
         const T z = t * t;
-        const T size = offset + (t - t * z * split_polynomial(ElementaryOf<T>::arctangent, z));
+        const T series = in_precision<T>(
+            [&](auto element) -> T { return split_polynomial(ElementaryConstants<decltype(element)>::arctangent, z); });
+        const T size = offset + (t - t * z * series);
         return select(y < T(0), T(-size), size);
     }
 };
@@ -119,10 +121,11 @@ namespace detail {
 
 // sin(r) for |r| <= pi/2, with the sign changed where `half_turns` is odd.
 template <class T>
-T sine_of_half_turn(const T& r, const T& half_turns) {
-    using C = ElementaryOf<T>;
-    const T big(C::round), z = r * r;
-    const T value = r + r * z * split_polynomial(C::sine, z);
+T sine_of_half_turn(const T& r, const T& half_turns, const T& big) {
+    const T z = r * r;
+    const T series = in_precision<T>(
+        [&](auto element) -> T { return split_polynomial(ElementaryConstants<decltype(element)>::sine, z); });
+    const T value = r + r * z * series;
     const T odd = abs(half_turns - T(2) * ((half_turns * T(0.5) + big) - big));
     return select(odd == T(1), T(-value), value);
 }
@@ -132,20 +135,24 @@ T sine_of_half_turn(const T& r, const T& half_turns) {
 // Sine alone, of an angle [rad]: one polynomial, where sincos needs two.
 template <class T>
 T sine(const T& angle) {
-    using C = detail::ElementaryOf<T>;
-    const T big(C::round);
-    const T n = (angle * T(C::inverse_pi) + big) - big;
-    return detail::sine_of_half_turn<T>((angle - n * T(C::pi[0])) - n * T(C::pi[1]), n);
+    return in_precision<T>([&](auto element) -> T {
+        using C = detail::ElementaryConstants<decltype(element)>;
+        const T big(C::round);
+        const T n = (angle * T(C::inverse_pi) + big) - big;
+        return detail::sine_of_half_turn<T>((angle - n * T(C::pi[0])) - n * T(C::pi[1]), n, big);
+    });
 }
 
 // Cosine alone. It is even, so pi/2 is subtracted from the magnitude: cos(x) = sin(pi/2 - |x|).
 template <class T>
 T cosine(const T& angle) {
-    using C = detail::ElementaryOf<T>;
-    const T big(C::round), size = abs(angle);
-    const T n = (size * T(C::inverse_pi) - T(0.5) + big) - big, quarter = n + T(0.5);  // size = (n + 1/2) pi + r
-    const T r = (size - quarter * T(C::pi[0])) - quarter * T(C::pi[1]);
-    return -detail::sine_of_half_turn<T>(r, n);
+    return in_precision<T>([&](auto element) -> T {
+        using C = detail::ElementaryConstants<decltype(element)>;
+        const T big(C::round), size = abs(angle);
+        const T n = (size * T(C::inverse_pi) - T(0.5) + big) - big, quarter = n + T(0.5);  // size = (n + 1/2) pi + r
+        const T r = (size - quarter * T(C::pi[0])) - quarter * T(C::pi[1]);
+        return -detail::sine_of_half_turn<T>(r, n, big);
+    });
 }
 
 // e^x for |x| < 40, constant beyond: the Pade approximant at x/8, squared three times.

@@ -77,13 +77,19 @@ inline constexpr int lane_count = Lanes<T>::count;
 template <class T>
 using Element = typename Lanes<T>::Element;
 
-// The precision that a number computes in: float or double.
+// The precision that a number computes in: `choose` calls f with a zero of type float or double.
 template <class T>
-struct RealOf {
-    using type = std::conditional_t<std::is_same_v<Element<T>, float>, float, double>;
+struct PrecisionOf {
+    template <class F>
+    static auto choose(const F& f) {
+        return f(std::conditional_t<std::is_same_v<Element<T>, float>, float, double>{});
+    }
 };
-template <class T>
-using Real = typename RealOf<T>::type;
+// For formulas whose constants differ between float and double.
+template <class T, class F>
+auto in_precision(const F& f) {
+    return PrecisionOf<T>::choose(f);
+}
 
 // Lane `i` of a number.
 template <class T>

@@ -53,18 +53,37 @@ T polynomial(const Coefficient (&c)[n], const T& z) {
 // For angles within [-pi/4, pi/4].
 template <class T>
 SineCosine<T> sincos_of_reduced(const T& x) {
-    using C = detail::SineCosineConstants<Real<T>>;
-    const T z = x * x;
-    return {x + x * z * detail::polynomial(C::sine, z), T(1) - (T(0.5) * z - z * z * detail::polynomial(C::cosine, z))};
+    return in_precision<T>([&](auto element) -> SineCosine<T> {
+        using C = detail::SineCosineConstants<decltype(element)>;
+        const T z = x * x;
+        return {x + x * z * detail::polynomial(C::sine, z),
+                T(1) - (T(0.5) * z - z * z * detail::polynomial(C::cosine, z))};
+    });
 }
+
+namespace detail {
+
+// An angle as quarter turns and the rest, between -pi/4 and pi/4 [rad].
+template <class T>
+struct ReducedAngle {
+    T big, turns, rest;  // `big` rounds what it is added to
+};
+template <class T>
+ReducedAngle<T> reduce(const T& angle) {
+    return in_precision<T>([&](auto element) -> ReducedAngle<T> {
+        using C = SineCosineConstants<decltype(element)>;
+        const T big(C::round);
+        const T turns = (angle * T(0.636619772367581343076) + big) - big;
+        return {big, turns, ((angle - turns * T(C::half_pi[0])) - turns * T(C::half_pi[1])) - turns * T(C::half_pi[2])};
+    });
+}
+
+}  // namespace detail
 
 // For any angle.
 template <class T>
 SineCosine<T> sincos_with_reduction(T angle) {
-    using C = detail::SineCosineConstants<Real<T>>;
-    const T big(C::round);
-    const T turns = (angle * T(0.636619772367581343076) + big) - big;  // quarter turns
-    const T x = ((angle - turns * T(C::half_pi[0])) - turns * T(C::half_pi[1])) - turns * T(C::half_pi[2]);
+    const auto [big, turns, x] = detail::reduce(angle);
     const auto [s, c] = sincos_of_reduced(x);
     // turns modulo 4 as one of -2, -1, 0, 1, 2
     const T quarter = turns - T(4) * ((turns * T(0.25) + big) - big);

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 
+#include "hamilcar/base/assert.hpp"
 #include "hamilcar/program/graph.hpp"
 #include "hamilcar/scalar/scalar.hpp"
 
@@ -25,7 +26,10 @@ public:
     Tracing(const Tracing&) = delete;
     Tracing& operator=(const Tracing&) = delete;
 
-    static program::Graph& graph() { return *current(); }
+    static program::Graph& graph() {
+        HAMILCAR_ASSERT(current() != nullptr);
+        return *current();
+    }
 
 private:
     static program::Graph*& current() {
@@ -58,8 +62,8 @@ private:
     program::Id id_;
 };
 
-// `E`, double or float, is the type that the program will compute in; `width`: count of numbers side by side.
-template <class E, int width = 1>
+// `width` numbers side by side, in the precision of the graph.
+template <int width = 1>
 class Traced {
 public:
     using Condition = TracedCondition<width>;
@@ -67,12 +71,11 @@ public:
     Traced() = default;
     Traced(double same)
         : id_(Tracing::graph().constant(same, width)) {}  // implicit: constants enter formulas as numbers
-    explicit Traced(const std::array<Traced<E, 1>, width>& numbers) requires(width == 2)
+    explicit Traced(const std::array<Traced<1>, width>& numbers) requires(width == 2)
         : id_(Tracing::graph().add(program::Op::join, numbers[0].id(), numbers[1].id())) {}
     // The same number in both lanes.
     template <int single>
-    requires(single == 1 && width == 2) explicit Traced(const Traced<E, single>& same)
-        : Traced(std::array{same, same}) {}
+    requires(single == 1 && width == 2) explicit Traced(const Traced<single>& same) : Traced(std::array{same, same}) {}
     static Traced of(program::Id id) {
         Traced out;
         out.id_ = id;
@@ -116,30 +119,33 @@ private:
 
 template <class T>
 inline constexpr bool is_traced = false;
-template <class E, int width>
-inline constexpr bool is_traced<Traced<E, width>> = true;
+template <int width>
+inline constexpr bool is_traced<Traced<width>> = true;
 
-template <class E, int width>
-struct Lanes<Traced<E, width>> {
+template <int width>
+struct Lanes<Traced<width>> {
     static constexpr int count = width;
-    using Element = Traced<E, 1>;
-    static Element get(const Traced<E, width>& number, int i) {
+    using Element = Traced<1>;
+    static Element get(const Traced<width>& number, int i) {
         return Element::of(Tracing::graph().add(program::Op::part, number.id(), i));
     }
-    static void set(Traced<E, width>& number, int i, const Element& element) {
+    static void set(Traced<width>& number, int i, const Element& element) {
         if constexpr (width == 1) {
             number = element;
         } else {
             std::array<Element, width> numbers{get(number, 0), get(number, 1)};
             numbers[static_cast<std::size_t>(i)] = element;
-            number = Traced<E, width>(numbers);
+            number = Traced<width>(numbers);
         }
     }
 };
 
-template <class E, int width>
-struct RealOf<Traced<E, width>> {
-    using type = E;
+template <int width>
+struct PrecisionOf<Traced<width>> {
+    template <class F>
+    static auto choose(const F& f) {
+        return Tracing::graph().precision() == program::Precision::single_precision ? f(float{}) : f(double{});
+    }
 };
 
 // The common branch is recorded inline, the rare one as a region. Regions do not nest: within one the rare branch is always taken.

@@ -108,13 +108,12 @@ struct Recipe {
     Composition (*compose)(const Hardpoints&) = nullptr;             // of the left side, or of both wheels
 };
 
-// Every recipe; a new one is one file and one line in recipes.cpp.
+// Every recipe; a new one is one file and its name here and in recipes.cpp.
+extern const Recipe macpherson_recipe, double_wishbone_recipe, five_link_recipe, semi_trailing_arm_recipe,
+    trailing_arm_recipe, swing_axle_recipe, h_arm_recipe, integral_link_recipe, twist_beam_recipe,
+    four_link_axle_recipe, panhard_axle_recipe, watt_axle_recipe, leaf_axle_recipe;
 const std::vector<const Recipe*>& recipes();
 // The recipe of that keyword, or null.
 const Recipe* find_recipe(std::string_view keyword);
-
-extern const Recipe macpherson_recipe, semi_trailing_arm_recipe, trailing_arm_recipe, swing_axle_recipe, h_arm_recipe,
-    double_wishbone_recipe, five_link_recipe, four_link_axle_recipe, panhard_axle_recipe, watt_axle_recipe,
-    leaf_axle_recipe, twist_beam_recipe;
 
 }  // namespace hamilcar

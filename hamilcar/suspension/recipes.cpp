@@ -7,9 +7,10 @@ namespace hamilcar {
 
 const std::vector<const Recipe*>& recipes() {
     static const std::vector<const Recipe*> all{
-        &macpherson_recipe,     &double_wishbone_recipe, &five_link_recipe, &semi_trailing_arm_recipe,
-        &trailing_arm_recipe,   &swing_axle_recipe,      &h_arm_recipe,     &twist_beam_recipe,
-        &four_link_axle_recipe, &panhard_axle_recipe,    &watt_axle_recipe, &leaf_axle_recipe};
+        &macpherson_recipe,   &double_wishbone_recipe, &five_link_recipe,    &semi_trailing_arm_recipe,
+        &trailing_arm_recipe, &swing_axle_recipe,      &h_arm_recipe,        &integral_link_recipe,
+        &twist_beam_recipe,   &four_link_axle_recipe,  &panhard_axle_recipe, &watt_axle_recipe,
+        &leaf_axle_recipe};
     return all;
 }
 

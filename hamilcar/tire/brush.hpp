@@ -43,8 +43,7 @@ struct Brush {
     };
     AtLoad at_load(const T& load, const T&, const T& road) const {
         const T K_x = stiffness_x * load, K_y = stiffness_y * load, max_force = friction * road * load;
-        return {.limits = {K_x, K_y, max_force, max_force, K_x / max_force, K_y / max_force, K_x * carcass_x,
-                           K_y * carcass_y},
+        return {.limits = isotropic_limits(K_x, K_y, max_force, T(K_x * carcass_x), T(K_y * carcass_y)),
                 .Fz = load,
                 .max_force = max_force,
                 .half_length = half_length * sqrt(T(load * inverse_nominal_load))};

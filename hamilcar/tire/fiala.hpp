@@ -42,8 +42,7 @@ struct Fiala {
     };
     AtLoad at_load(const T& load, const T&, const T& road) const {
         const T max_force = static_friction * road * load;
-        return {.limits = {stiffness_x, stiffness_y, max_force, max_force, stiffness_x / max_force,
-                           stiffness_y / max_force, relaxation_x, relaxation_y},
+        return {.limits = isotropic_limits(stiffness_x, stiffness_y, max_force, relaxation_x, relaxation_y),
                 .Fz = load,
                 .road = road};
     }

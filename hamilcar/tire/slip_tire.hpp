@@ -10,6 +10,8 @@
 // At a standstill w falls with the slip velocity, so the contact is a spring that slides at its limit: no pole, no jump.
 #pragma once
 
+#include <concepts>
+#include <string_view>
 #include <tuple>
 
 #include "hamilcar/description/tire.hpp"
@@ -27,6 +29,14 @@ struct SlipLimits {
     T relaxation_x, relaxation_y;  // sigma [m]
 };
 
+// Of curves with one largest force [N] in all directions.
+template <class T>
+SlipLimits<T> isotropic_limits(const T& stiffness_x, const T& stiffness_y, const T& max_force, const T& relaxation_x,
+                               const T& relaxation_y) {
+    return {stiffness_x,  stiffness_y, max_force, max_force, stiffness_x / max_force, stiffness_y / max_force,
+            relaxation_x, relaxation_y};
+}
+
 // Input of the curves.
 template <class T>
 struct Slip {
@@ -41,6 +51,17 @@ template <class T>
 struct SlipForces {
     T Fx, Fy, Mx, Mz;  // [N, N m]
     T resistance;      // to rolling, against the spin [N m]
+};
+
+// What a model with curves over slip asks of its curves.
+template <class Curves, class T>
+concept SlipCurves = requires(const Curves curves, const T& number, const Slip<T>& slip) {
+    { Curves::keyword } -> std::convertible_to<std::string_view>;
+    { curves.min_load } -> std::convertible_to<T>;  // below it forces are proportional to the load [N]
+    { curves.inverse_min_load } -> std::convertible_to<T>;
+    { curves.at_load(number, number, number).limits } -> std::convertible_to<SlipLimits<T>>;  // load, camber, friction
+    { curves.forces(curves.at_load(number, number, number), slip) } -> std::same_as<SlipForces<T>>;
+    Curves::members();
 };
 
 // The radial spring with its damper.
@@ -65,12 +86,12 @@ struct Casing {
           carcass_damping(d.carcass_damping) {}
 };
 
-// `Curves` has at_load(Fz, camber, friction), whose result contains SlipLimits, and forces(that result, slip). It is never
-// evaluated below its `min_load`, where forces are proportional to the load.
+// The curves (SlipCurves) are never evaluated below their `min_load`, where forces are proportional to the load.
 //
 // Divisions have high latency and do not pipeline, so several share one (`reciprocals`).
 template <class T, template <class> class Curves>
 struct SlipTire {
+    static_assert(SlipCurves<Curves<T>, T>);
     static constexpr std::string_view keyword = Curves<T>::keyword;
     static constexpr bool has_moments = true;
     static constexpr double return_speed = 20;   // w_s: keeps the pole of fast sliding stable at a 1 ms step [m/s]

@@ -21,46 +21,47 @@ Vehicle<T>::Vehicle(const VehicleDescription& d)
     for (const AntiRollBarDescription& bar : d.anti_roll_bars) {
         anti_roll_bars.push_back({static_cast<int>(bar.left), static_cast<int>(bar.right), T(bar.rate)});
     }
-    state_size = chassis_size;
-    add_suspensions(d);
-    add_powertrain(d);
+    const StateLayout layout(d);
+    if (layout.size() > state_capacity)
+        throw std::length_error("the vehicle has more coordinates than a state can hold");
+    state_size = layout.size();
+    add_suspensions(d, layout);
+    add_powertrain(d, layout);
 }
 
 // Suspensions, then trailers, in the order of the description.
 template <class T>
-void Vehicle<T>::add_suspensions(const VehicleDescription& d) {
+void Vehicle<T>::add_suspensions(const VehicleDescription& d, const StateLayout& layout) {
     if (d.suspensions.size() > std::size_t{max_suspensions} || d.trailers.size() > std::size_t{max_trailers}) {
         throw std::length_error("a vehicle has at most 40 suspensions and 8 trailers");
     }
     int wheel_count = 0;
     for (const SuspensionDescription& suspension : d.suspensions) {
-        suspensions.push_back(make_suspension<T>(suspension, state_size, wheel_count));
-        state_size += suspensions.back().size();
+        suspensions.push_back(make_suspension<T>(suspension, layout.suspension(suspensions.size()), wheel_count));
         wheel_count += static_cast<int>(suspension.wheels.size());
         for (const SuspensionBody<T>& body : suspensions.back().bodies) total_mass += body.body.mass;
     }
     for (const TrailerDescription& trailer : d.trailers) {
-        trailers.push_back(make_trailer<T>(trailer, state_size));
-        state_size += 2 * trailers.back().freedoms();
+        trailers.push_back(make_trailer<T>(trailer, layout.trailer(trailers.size())));
         total_mass += trailers.back().chassis.mass;
     }
 }
 
-// Last in the state. Rotors spin on their own: their spin inertia is not part of the chassis's.
+// Rotors spin on their own: their spin inertia is not part of the chassis's.
 template <class T>
-void Vehicle<T>::add_powertrain(const VehicleDescription& d) {
+void Vehicle<T>::add_powertrain(const VehicleDescription& d, const StateLayout& layout) {
     powertrain = make_powertrain<T>(d);
-    powertrain.offset = state_size;
-    state_size += powertrain.size();
+    const StateLayout::PowertrainPlaces& places = layout.powertrain();
+    powertrain.unit_place = places.units, powertrain.differential_place = places.differentials;
+    powertrain.supplied_place = places.supplied;
     for (const PowerUnit<T>& unit : powertrain.units) {
         subtract_rotor(unit.axis, unit.inertia, chassis_inertia.inertia);
     }
-    if (state_size > state_capacity) throw std::length_error("the vehicle has more coordinates than a state can hold");
 }
 
 // Compiled once, in vehicle.cpp.
 extern template Vehicle<double>::Vehicle(const VehicleDescription&);
-extern template void Vehicle<double>::add_suspensions(const VehicleDescription&);
-extern template void Vehicle<double>::add_powertrain(const VehicleDescription&);
+extern template void Vehicle<double>::add_suspensions(const VehicleDescription&, const StateLayout&);
+extern template void Vehicle<double>::add_powertrain(const VehicleDescription&, const StateLayout&);
 
 }  // namespace hamilcar

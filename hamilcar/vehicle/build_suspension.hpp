@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "hamilcar/vehicle/state_layout.hpp"
 #include "hamilcar/vehicle/suspension.hpp"
 
 namespace hamilcar {
@@ -34,7 +35,7 @@ template <class T>
 SuspensionWheel<T> make_suspension_wheel(const LinkageDescription& linkage, const SuspensionWheelDescription& d,
                                          int offset) {
     return {.frame = frame_of_part(linkage, d.part),
-            .tires = d.dual_spacing > 0 ? 2 : 1,
+            .tires = d.tires(),
             .reaction = frame_of_part(linkage, d.drive_reaction),
             .offset = offset,
             .wheel = make_wheel<T>(d.wheel),
@@ -58,20 +59,19 @@ inline void check_sizes(const SuspensionDescription& d) {
     }
 }
 
-// `offset`: index of its first number in a state.
 template <class T>
-Suspension<T> make_suspension(const SuspensionDescription& d, int offset, int first_wheel) {
+Suspension<T> make_suspension(const SuspensionDescription& d, const StateLayout::SuspensionPlaces& places,
+                              int first_wheel) {
     check_sizes(d);
     Suspension<T> out;
-    out.unit = static_cast<int>(d.unit), out.offset = offset, out.first_wheel = first_wheel;
+    out.unit = static_cast<int>(d.unit), out.first_wheel = first_wheel;
+    out.offset = places.offset, out.size = places.size;
     out.linkage = compose_for<T>(d.linkage);
     for (const auto& body : d.bodies) {
         out.bodies.push_back({frame_of_part(d.linkage, body.part), make_body<T>(body.body)});
     }
-    int next = 2 * out.linkage.nV() + out.linkage.nW();
-    for (const auto& wheel : d.wheels) {
-        out.wheels.push_back(make_suspension_wheel<T>(d.linkage, wheel, next));
-        next += SuspensionWheel<T>::size(out.wheels.back().tires);
+    for (std::size_t i = 0; i < d.wheels.size(); ++i) {
+        out.wheels.push_back(make_suspension_wheel<T>(d.linkage, d.wheels[i], places.wheels[i]));
     }
     const std::array<T, max_coordinates> design{};
     LinkagePosition<T> at;

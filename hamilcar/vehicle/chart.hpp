@@ -74,4 +74,16 @@ struct BryantChart {
     }
 };
 
+// Orientation and momentum as the state stores them, and their rates.
+template <class Chart, class T>
+concept OrientationChart = requires(const Vector<T, 4>& orientation, const Spatial<T>& momentum,
+                                    const ChassisRates<T>& rates) {
+    { Chart::rotation(orientation) } -> std::convertible_to<Mat3<T>>;  // R_GC
+    { Chart::momentum(orientation, momentum) } -> std::convertible_to<Spatial<T>>;
+    { Chart::stored_momentum(orientation, momentum) } -> std::convertible_to<Spatial<T>>;
+    { Chart::orientation_rate(orientation, rates) } -> std::convertible_to<Vector<T, 4>>;
+    { Chart::stored_momentum_rate(orientation, rates) } -> std::convertible_to<Spatial<T>>;
+};
+static_assert(OrientationChart<QuaternionChart<double>, double> && OrientationChart<BryantChart<double>, double>);
+
 }  // namespace hamilcar

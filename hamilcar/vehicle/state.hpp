@@ -1,7 +1,4 @@
-// Everything that is integrated, and nothing else: one flat vector with named parts, trivially copyable.
-//
-//   chassis  position r (3), orientation (4), momentum (6), work (1)
-//   then suspensions and trailers (suspension.hpp), and the powertrain
+// Everything that is integrated, and nothing else: one flat vector, trivially copyable, whose numbers state_layout.hpp names.
 // The chart (chart.hpp) defines orientation and momentum; `work` is the integral of the nonconservative power, so that the
 // energy balance can be checked at any time.
 #pragma once
@@ -9,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "hamilcar/base/assert.hpp"
 #include "hamilcar/vehicle/vehicle.hpp"
 
 namespace hamilcar {
@@ -31,6 +29,7 @@ struct State {
 // Copies the first `size` numbers.
 template <class T>
 void copy_state(const State<T>& from, int size, State<T>& to) {
+    HAMILCAR_ASSERT(size <= state_capacity);
     std::copy_n(from.values.begin(), size, to.values.begin());
 }
 

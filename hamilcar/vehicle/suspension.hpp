@@ -1,14 +1,12 @@
 // The constants of a suspension, with everything attached to it, and of a trailer, whose chassis is attached by a linkage of
-// its own, the hitch. Both know the offset of their numbers in a state.
-//
-//   suspension  independent V, dependent W, momenta P_V, then wheel by wheel: spin momentum, brake wind-up, u and v of each tire
-//   trailer     hitch angles, their momenta
+// its own, the hitch. Both know the offset of their numbers in a state (state_layout.hpp).
 #pragma once
 
 #include <array>
 #include <tuple>
 #include <vector>
 
+#include "hamilcar/base/assert.hpp"
 #include "hamilcar/driveline/brake.hpp"
 #include "hamilcar/force/axial.hpp"
 #include "hamilcar/linkage/compose.hpp"
@@ -48,7 +46,6 @@ struct SuspensionWheel {
         return std::tuple(&W::frame, &W::tires, &W::reaction, &W::offset, &W::wheel, &W::half_spacing, &W::bump,
                           &W::rebound, &W::tire, &W::brake, &W::drive_share);
     }
-    static constexpr int size(int tires) { return 2 + 2 * tires; }
 };
 
 template <class T>
@@ -78,8 +75,9 @@ struct WheelState {
 
 template <class T>
 struct Suspension {
-    int unit, offset;
-    int first_wheel;  // its number among all wheels
+    int unit;
+    int offset, size;  // of its numbers in the state, and how many they are
+    int first_wheel;   // its number among all wheels
     Linkage<T> linkage;
     std::vector<SuspensionBody<T>> bodies;
     std::vector<SuspensionWheel<T>> wheels;
@@ -90,16 +88,11 @@ struct Suspension {
     T inverse_design_determinant;  // 1 / det Phi_w at design
     static constexpr auto members() {
         using S = Suspension;
-        return std::tuple(&S::unit, &S::offset, &S::first_wheel, &S::linkage, &S::bodies, &S::wheels, &S::springs,
-                          &S::dampers, &S::inverse_design_determinant);
+        return std::tuple(&S::unit, &S::offset, &S::size, &S::first_wheel, &S::linkage, &S::bodies, &S::wheels,
+                          &S::springs, &S::dampers, &S::inverse_design_determinant);
     }
+    static constexpr auto derived_members() { return std::tuple(&Suspension::both_wheels); }
 
-    // How many numbers it has in a state.
-    int size() const {
-        int count = linkage.nq() + linkage.nV();
-        for (const SuspensionWheel<T>& wheel : wheels) count += SuspensionWheel<T>::size(wheel.tires);
-        return count;
-    }
     template <class Number>
     SuspensionState<Number> state(Number* values) const {
         Number* at = values + offset;
@@ -107,14 +100,14 @@ struct Suspension {
     }
     template <class Number>
     WheelState<Number> wheel_state(int i, Number* values) const {
+        HAMILCAR_ASSERT(static_cast<std::size_t>(i) < wheels.size());
         Number* at = values + offset + wheels[static_cast<std::size_t>(i)].offset;
         return {at[0], at[1], at + 2};
     }
 };
 
 // The most numbers of one suspension in a state.
-inline constexpr int suspension_capacity =
-    max_coordinates + max_freedoms + max_wheels * SuspensionWheel<double>::size(max_tires);
+inline constexpr int suspension_capacity = max_coordinates + max_freedoms + max_wheels * (2 + 2 * max_tires);
 
 // Two neighboring suspensions of the same structure side by side, such as left and right. `both.offset` is zero.
 template <class S>
@@ -128,7 +121,7 @@ struct SuspensionPair {
 template <class S, class T>
 std::array<S, suspension_capacity> gather_pair(const SuspensionPair<S>& pair, const T* values) {
     std::array<S, suspension_capacity> out;
-    for (int k = 0; k < pair.both.size(); ++k) {
+    for (int k = 0; k < pair.both.size; ++k) {
         out[static_cast<std::size_t>(k)] = S(std::array<T, 2>{values[pair.offset[0] + k], values[pair.offset[1] + k]});
     }
     return out;

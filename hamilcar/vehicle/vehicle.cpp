@@ -4,7 +4,7 @@
 namespace hamilcar {
 
 template Vehicle<double>::Vehicle(const VehicleDescription&);
-template void Vehicle<double>::add_suspensions(const VehicleDescription&);
-template void Vehicle<double>::add_powertrain(const VehicleDescription&);
+template void Vehicle<double>::add_suspensions(const VehicleDescription&, const StateLayout&);
+template void Vehicle<double>::add_powertrain(const VehicleDescription&, const StateLayout&);
 
 }  // namespace hamilcar

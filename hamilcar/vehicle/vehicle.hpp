@@ -12,6 +12,7 @@
 #include "hamilcar/math/gather.hpp"
 #include "hamilcar/math/paired.hpp"
 #include "hamilcar/tire/list.hpp"
+#include "hamilcar/vehicle/state_layout.hpp"
 #include "hamilcar/vehicle/suspension.hpp"
 
 namespace hamilcar {
@@ -42,12 +43,13 @@ struct Vehicle {
                           &V::aerodynamics, &V::hull, &V::powertrain, &V::gravity, &V::total_mass, &V::state_size);
     }
     std::vector<SuspensionPair<Paired<T>>> pairs;  // of neighboring suspensions, where T has pairs
+    static constexpr auto derived_members() { return std::tuple(&Vehicle::pairs); }
 
     Vehicle() = default;
     explicit Vehicle(const VehicleDescription& description);
 
-    void add_suspensions(const VehicleDescription& description);
-    void add_powertrain(const VehicleDescription& description);
+    void add_suspensions(const VehicleDescription& description, const StateLayout& layout);
+    void add_powertrain(const VehicleDescription& description, const StateLayout& layout);
 
     // Calls alone(index) for each single suspension and together(pair, its index) for each pair.
     template <class Alone, class Together>
@@ -66,7 +68,7 @@ struct Vehicle {
     }
 };
 
-// Sizes of a state: the chassis, then suspensions, trailers and the powertrain.
+// Sizes of a state (state_layout.hpp): of the chassis, and of all at most.
 inline constexpr int chassis_size = 14;
 inline constexpr int beyond_chassis_capacity = 640;
 inline constexpr int state_capacity = chassis_size + beyond_chassis_capacity;

@@ -24,7 +24,7 @@ TEST_P(LinearModels, AreTheDerivativesOfTheEquations) {
     ASSERT_TRUE(at.found) << at.problem;
     const LinearModel linear = linearizer.linearize(at);
     const Model<double>& model = linearizer.model();
-    const ReducedCoordinates reduced(car, model.vehicle);
+    const ReducedCoordinates reduced(car);
     const Vec3<double> seat = vec3(car.chassis.center_of_mass);
     const auto rates = [&](const Eigen::VectorXd& z, const Input<double>& input) {
         Eigen::VectorXd rate(z.size());
@@ -62,7 +62,7 @@ TEST_P(LinearModels, SteadyDrivingIsSteadyInTime) {
     Integrator<State<double>> integrator(*find_method("rk4"), 1e-3, linearizer.model().vehicle.state_size);
     const auto driver = [&](double) { return at.input; };
     for (int i = 0; i < 2000; ++i) integration_block(linearizer.model(), integrator, driver, 1e-3 * i, state);
-    const std::vector<double> z = reduced_from(ReducedCoordinates(car, linearizer.model().vehicle), state);
+    const std::vector<double> z = reduced_from(ReducedCoordinates(car), state);
     for (std::size_t i = 0; i < z.size(); ++i) {
         const double was = at.z[static_cast<Eigen::Index>(i)];
         EXPECT_NEAR(z[i], was, 1e-7 * (1 + std::abs(was))) << i;
@@ -90,7 +90,7 @@ void expect_decay(const std::string& name, double speed, const char* mode_name) 
     (right.eigenvalues().array() - wanted).abs().minCoeff(&r);
     (left.eigenvalues().array() - wanted).abs().minCoeff(&l);
     const Eigen::VectorXcd v = right.eigenvectors().col(r), w = left.eigenvectors().col(l);
-    const ReducedCoordinates reduced(car, linearizer.model().vehicle);
+    const ReducedCoordinates reduced(car);
     const Eigen::VectorXd push = v.real() * (1e-5 / v.head(3).cwiseAbs().maxCoeff());
     const Eigen::VectorXd start = at.z + push;
     State<double> state = state_of<double>(linearizer.model(), reduced, start.data(), at.state, at.input.rack);

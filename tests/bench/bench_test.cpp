@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "hamilcar/bench/bench.hpp"
+#include "hamilcar/bench/interleave.hpp"
 #include "hamilcar/bench/peak.hpp"
-#include "hamilcar/bench/race.hpp"
 #include "hamilcar/bench/scenes.hpp"
 #include "support/car.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 
 TEST(Race, TakesRatiosRoundByRound) {
     // The machine is slow in the second round and slower in the third: the ratio is two all along.
-    const RaceResult result({{2, 8, 6}, {1, 4, 3}});
+    const InterleavedTimes result({{2, 8, 6}, {1, 4, 3}});
     EXPECT_EQ(result.time(0), 6);
     EXPECT_EQ(result.time(1), 3);
     EXPECT_EQ(result.ratio(0, 1), 2);
@@ -24,9 +24,9 @@ TEST(Race, TakesRatiosRoundByRound) {
 TEST(Race, GivesEveryoneTheirTurns) {
     long first = 0, second = 0;
     std::vector<std::string> order;
-    race({{"first", [&](long n) { first += n, order.emplace_back("first"); }},
-          {"second", [&](long n) { second += n, order.emplace_back("second"); }}},
-         1e-4, 3);
+    interleave({{"first", [&](long n) { first += n, order.emplace_back("first"); }},
+                {"second", [&](long n) { second += n, order.emplace_back("second"); }}},
+               1e-4, 3);
     EXPECT_GT(first, 0);
     EXPECT_GT(second, 0);
     const std::vector<std::string> last(order.end() - 4, order.end());
@@ -92,13 +92,13 @@ TEST(Trials, LaneChangeIsThatOfAFarSmallerStep) {
     EXPECT_LT(fine.violation, 3e-12);
 }
 
-TEST(Steadiness, AdvancesTheRunByWhatItTimed) {
+TEST(StepJitter, AdvancesTheRunByWhatItTimed) {
     Simulation timed(test::paper_car(), bend()), alone(test::paper_car(), bend());
-    const Steadiness s = steadiness(timed, 2000);
+    const StepJitter s = step_jitter(timed, 2000);
     while (alone.steps_taken() < 2000) alone.advance();
     EXPECT_EQ(timed.steps_taken(), 2000);
     EXPECT_EQ(timed.state().values, alone.state().values);
-    EXPECT_LE(s.late_by_itself, s.late);
+    EXPECT_LE(s.late_alone, s.late);
     EXPECT_GT(s.median, 0);
 }
 

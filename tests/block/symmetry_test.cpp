@@ -36,7 +36,7 @@ Mirrored mirror(const std::string& name) {
     }
     for (const char* odd : {".y", ".qx", ".qz", "lateral", "roll", "yaw", "input.rack", "steering_wheel",
                             "steering_torque", "wheel.steer", "bryant.1", "bryant.3", "slip_angle", "inclination",
-                            "aligning_moment", "overturning_moment"}) {
+                            "aligning_moment", "overturning_moment", "sideslip"}) {
         const bool bar = name.find("anti_roll_bar") != std::string::npos;
         if (!bar && name.find(odd) != std::string::npos) return {other, -1};
     }
@@ -54,7 +54,9 @@ void expect_mirrored(const VehicleDescription& car) {
             // The energy balance and the constraint violations are round-off themselves, so they need not mirror.
             if (channel.column.name.starts_with("constraints") || channel.column.name == "energy.balance") continue;
             // A difference along the path, which round-off enters more.
-            const double tolerance = channel.column.name == "input.steering_torque" ? 1e-7 : 1e-10;
+            const std::string& name = channel.column.name;
+            const bool is_difference = name == "input.steering_torque" || name.starts_with("seat.acceleration");
+            const double tolerance = is_difference ? 1e-7 : 1e-10;
             const Mirrored twin = mirror(channel.column.name);
             const auto found = std::find_if(channels.begin(), channels.end(),
                                             [&](const Channel& c) { return c.column.name == twin.name; });

@@ -49,7 +49,7 @@ private:
 std::vector<Use> every_use() {
     UseList uses;
     for (const std::string& vehicle : files_in("vehicles", ".toml")) {
-        for (const char* command : {"check", "equilibrium", "kinematics", "modes"}) {
+        for (const char* command : {"check", "channels", "equilibrium", "kinematics", "modes"}) {
             uses.add(command, vehicle), uses.add(command, vehicle, "--json");
         }
         for (const char* command : {"equilibrium", "modes"}) uses.add(command, vehicle, "--speed 20");

@@ -68,6 +68,25 @@ TEST_F(Program, DrivesAManeuverOfAScenarioFile) {
     }
 }
 
+TEST_F(Program, TakesWordsForChoicesAndFlagsOfAManeuver) {
+    std::ofstream(folder_ / "rough.toml") << "name = \"t\"\nvehicle = \"" << car
+                                          << "\"\n[maneuver]\nname = \"rough_road\"\n[maneuver.settings]\n"
+                                             "road_class = \"D\"\nlength = 50.0\n";
+    for (const auto& [typed, number] : std::map<std::string, double>{
+             {"rough.toml", 4}, {"rough.toml --set road_class=a", 1}, {"rough.toml --set road_class=2", 2}}) {
+        const Outcome r = run("run " + typed + " --json");
+        ASSERT_EQ(r.code, 0) << r.err;
+        EXPECT_EQ(nlohmann::json::parse(r.out)["settings"][1]["value"], number) << typed;
+    }
+    std::ofstream(folder_ / "dodge.toml")
+        << "name = \"t\"\nvehicle = \"" << car
+        << "\"\n[maneuver]\nname = \"obstacle_avoidance\"\n[maneuver.settings]\nsearch = \"maybe\"\n";
+    const Outcome mistaken = run("check dodge.toml");
+    EXPECT_EQ(mistaken.code, 3);
+    EXPECT_THAT(mistaken.err, HasSubstr("dodge.toml:6:"));
+    EXPECT_THAT(mistaken.err, HasSubstr("'maybe': expected 'yes' or 'no'"));
+}
+
 TEST_F(Program, SaysWhatAVehicleCannotDo) {
     const std::string paper = test::source_path("vehicles/bmw_323i_paper.toml");
     const Outcome r = run("run --maneuver acceleration --vehicle " + paper);
@@ -87,19 +106,20 @@ TEST_F(Program, TakesMistypedManeuversAndSettingsForMistakesOfUsage) {
              {"weeve", "did you mean 'weave'"},
              {"weave --set sped=80", "did you mean 'speed'"},
              {"weave --set speed=800", "expected 20 to 250 [km/h]"},
-             {"weave --set speed", "NAME=NUMBER"},
+             {"weave --set speed", "NAME=VALUE"},
              {"weave --set speed=0x50", "expected a decimal number"},
              {"weave --set speed=inf", "expected a decimal number"},
              {"weave --set speed=80km/h", "the unit is km/h, without it"},
              {"weave --set speed=80 --set speed_km_per_h=60", "each setting once"},
-             {"fishhook --set feedback=0.3", "expected 0 or 1"}}) {
+             {"fishhook --set feedback=0.3", "= 0.3: expected 'yes' or 'no'"},
+             {"split_braking --set low_side=lefft", "'lefft': expected 'left' or 'right'; did you mean 'left'?"}}) {
         const Outcome mistaken = run("run --maneuver " + typed);
         EXPECT_EQ(mistaken.code, 2) << typed;
         EXPECT_THAT(mistaken.err, HasSubstr(what)) << typed;
     }
 }
 
-TEST_F(Program, TellsALinkageThatCameApartInAManeuverByItsExitCode) {
+TEST_F(Program, TellsAConstraintViolationInAManeuverByItsExitCode) {
     const Outcome r = run("run --maneuver double_lane_change --vehicle " + car + " --step 0.02 -o out");
     EXPECT_EQ(r.code, 4);
     EXPECT_THAT(r.err, HasSubstr("double_lane_change: at t = "));
@@ -112,11 +132,22 @@ TEST_F(Program, ListsManeuversForAVehicle) {
     const Outcome r = run("maneuvers " + car + " --json");
     ASSERT_EQ(r.code, 0) << r.err;
     const auto list = nlohmann::json::parse(r.out);
-    EXPECT_EQ(list.size(), 19u);
-    for (const auto& maneuver : list) EXPECT_FALSE(maneuver["summary"].get<std::string>().empty());
+    EXPECT_EQ(list.size(), 20u);
+    for (const auto& maneuver : list) {
+        EXPECT_FALSE(maneuver["summary"].get<std::string>().empty());
+        EXPECT_EQ(maneuver["unsupported_reason"], "");
+        if (maneuver["name"] != "split_braking") continue;
+        const auto speed = maneuver["settings"][0], side = maneuver["settings"][5];
+        EXPECT_EQ(speed["kind"], "number");
+        EXPECT_TRUE(speed["min"] < speed["default"] && speed["default"] < speed["max"]) << speed;
+        EXPECT_EQ(side["kind"], "choice");
+        EXPECT_EQ(side["default"], "left");
+        EXPECT_EQ(side["choices"], nlohmann::json({"left", "right"}));
+        EXPECT_TRUE(side["min"].is_null());
+    }
     const std::string told = run("maneuvers").out;
     EXPECT_THAT(told, HasSubstr("speed=80 km/h"));
-    EXPECT_THAT(told, HasSubstr("(0 or 1)"));
+    EXPECT_THAT(told, HasSubstr("search=no  also seek the highest entry speed without a cone hit ('yes' or 'no')"));
     EXPECT_THAT(told, HasSubstr("(a whole number, 1 to 20)"));
 }
 

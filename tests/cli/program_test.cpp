@@ -40,7 +40,7 @@ TEST_F(Program, GivesTheSameFactsAsJson) {
     ASSERT_EQ(r.code, 0) << r.err;
     const auto facts = nlohmann::json::parse(r.out);
     EXPECT_EQ(facts["steps"], 1000);
-    EXPECT_LT(facts["worst_constraint_opening_m"].get<double>(), 1e-12);
+    EXPECT_LT(facts["max_constraint_violation_m"].get<double>(), 1e-12);
     EXPECT_EQ(facts, nlohmann::json::parse(contents(folder_ / "results/summary.json")));
 }
 
@@ -54,17 +54,6 @@ TEST_F(Program, WritesTheSameBytesTwice) {
     EXPECT_EQ(contents(folder_ / "a/report.html"), contents(folder_ / "b/report.html"));
 }
 
-TEST_F(Program, ChecksAVehicleAndCountsTenDegreesOfFreedom) {
-    const Outcome r = run("check " + shipped);
-    ASSERT_EQ(r.code, 0) << r.err;
-    EXPECT_THAT(r.out, HasSubstr("degrees of freedom       10"));
-    EXPECT_THAT(r.out, HasSubstr("5 x 7 = 35 coordinates - 25 constraints = 10"));
-    const auto facts = nlohmann::json::parse(run("check --json " + shipped).out);
-    EXPECT_EQ(facts["degrees_of_freedom"], 10);
-    EXPECT_EQ(facts["bodies"], 5);
-    EXPECT_EQ(facts["cut_equations"], 6);
-}
-
 TEST_F(Program, RunsThePapersCase) {
     const Outcome r = run("paper --json -o paper " + test::source_path("scenarios/paper.toml"));
     ASSERT_EQ(r.code, 0) << r.err;
@@ -74,10 +63,17 @@ TEST_F(Program, RunsThePapersCase) {
     EXPECT_EQ(facts["table_2"]["degrees_of_freedom"], 10);
     const auto& fig9 = facts["figure_9"];
     EXPECT_NEAR(fig9["stability_limit_per_s"].get<double>(), 6000. / 11, 1e-9);
-    EXPECT_NEAR(fig9["first_unstable_gain_per_s"].get<double>(), 550,
-                1e-9);  // the first gain of the sweep beyond 6/11 of 1/h
-    EXPECT_GE(fig9["least_rms_at_gain_per_s"].get<double>(), 150);
-    EXPECT_LE(fig9["least_rms_at_gain_per_s"].get<double>(), 400);
+    ASSERT_EQ(fig9["sweeps"].size(), 2u);
+    const auto &smoother = fig9["sweeps"][0], &smooth = fig9["sweeps"][1];
+    for (const auto& sweep : {smoother, smooth})  // the first gain of the sweep beyond 6/11 of 1/h
+        EXPECT_NEAR(sweep["first_unstable_gain_per_s"].get<double>(), 550, 1e-9);
+    // As the paper says, where the rack's acceleration has no jumps; with jumps the least is at half of that.
+    EXPECT_GE(smoother["min_rms_at_gain_per_s"].get<double>(), 400);
+    EXPECT_LT(smoother["rms_norm_at_paper_gain"].get<double>(), 1.1 * smoother["min_rms_norm"].get<double>());
+    EXPECT_GE(smooth["min_rms_at_gain_per_s"].get<double>(), 150);
+    EXPECT_LE(smooth["min_rms_at_gain_per_s"].get<double>(), 250);
+    EXPECT_GT(smooth["rms_norm_at_paper_gain"].get<double>(), 5 * smooth["min_rms_norm"].get<double>());
+    EXPECT_TRUE(facts["run"]["validity"].empty()) << facts["run"]["validity"];
     for (const char* name : {"table2_degrees_of_freedom.csv", "table3_stability_limits.csv", "fig09_sweep.csv",
                              "fig11_lateral_position.csv", "fig12_lateral_velocity.csv", "fig13_vertical_position.csv",
                              "fig14_vertical_velocity.csv", "paper.html"}) {
@@ -179,7 +175,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "step_s = 0.0015\nconstraints = \"stabilized\"\nstabilization_gain_per_s = 400",
                 3,
                 {":12:28:", "stabilization_gain_per_s", "400", "363.6", "a step below 0.00136 s"}},
-        Mistake{"NanInATable", paper_file, "45.0, 0.0, -45.0", "nan, 0.0, -45.0", 3, {"nan"}},
+        Mistake{"NanInATable", paper_file, "35.0, 0.0, -35.0", "nan, 0.0, -35.0", 3, {"nan"}},
         Mistake{"TimesThatDoNotIncrease", paper_file, "8.0, 9.0, 10.0", "8.0, 8.0, 10.0", 3, {"time_s"}},
         Mistake{"UnknownIntegrator", paper_file, "\"ab3\"", "\"ab33\"", 3, {"ab33", "ab3"}},
         Mistake{"UnknownChannel",
@@ -190,7 +186,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"hill_hold.toml:18:12: ", "chassis.positon.x", "chassis.position.x"}},
         Mistake{"RackBeyondItsTravel",
                 paper_file,
-                "0.0, 0.0, 45.0",
+                "0.0, 0.0, 35.0",
                 "0.0, 0.0, 945.0",
                 3,
                 {"paper.toml:20:", "steering_wheel", "[m]"}}),
@@ -235,7 +231,7 @@ TEST_F(Program, MeasuresTheMachine) {
     const Outcome table = run("bench --seconds 0.1");
     EXPECT_EQ(table.code, 0) << table.err;
     EXPECT_EQ(table.err, "");
-    for (const char* part : {"One car", "Many cars", "Snapshot", "Steadiness", "lane change"}) {
+    for (const char* part : {"One car", "Many cars", "Snapshot", "Step jitter", "lane change"}) {
         EXPECT_THAT(table.out, HasSubstr(part));
     }
     const Outcome json = run("bench --seconds 0.1 --json");
@@ -248,12 +244,12 @@ TEST_F(Program, MeasuresTheMachine) {
     EXPECT_EQ(run("bench missing.toml").code, 5);
 }
 
-TEST_F(Program, KeepsNoEnergyBalanceThatNobodyWants) {
+TEST_F(Program, KeepsNoEnergyBalanceThatIsNotWanted) {
     const Outcome r = run("run " + scenario_for(shipped, "[solver]\nenergy_balance = false\n") + " -o results");
     EXPECT_EQ(r.code, 0) << r.err;
     EXPECT_EQ(r.err, "");
     EXPECT_THAT(r.out, HasSubstr("no balance kept"));
-    EXPECT_THAT(contents(folder_ / "results/summary.json"), HasSubstr("\"worst_balance_error_J\": null"));
+    EXPECT_THAT(contents(folder_ / "results/summary.json"), HasSubstr("\"max_balance_error_J\": null"));
 }
 
 TEST_F(Program, StopsAtTheStepThatGoesBad) {
@@ -265,7 +261,7 @@ TEST_F(Program, StopsAtTheStepThatGoesBad) {
     EXPECT_GT(fs::file_size(folder_ / "results/results.csv"), 100u);
 }
 
-TEST_F(Program, WarnsWhenTheStepIsTooLargeForTheBooks) {
+TEST_F(Program, WarnsWhenTheStepIsTooLargeForTheEnergyBalance) {
     const auto with_step = [&](const std::string& step) {
         return run("run " +
                    scenario_for(shipped, "[solver]\nstep_s = " + step +
@@ -275,15 +271,17 @@ TEST_F(Program, WarnsWhenTheStepIsTooLargeForTheBooks) {
     };
     const Outcome doubtful = with_step("0.0165"), wrong = with_step("0.02");  // off by 4 and by 10.3 percent
     EXPECT_EQ(doubtful.code, 0);
-    EXPECT_THAT(doubtful.err, HasSubstr("warning: the energy balance is off by"));
+    EXPECT_THAT(doubtful.err, HasSubstr("warning: energy account: balance error"));
+    EXPECT_THAT(doubtful.err, HasSubstr("warning: solver: step 0.0165 s"));
+    EXPECT_THAT(doubtful.out, HasSubstr("validity         solver: step 0.0165 s"));
+    const auto facts = nlohmann::json::parse(contents(folder_ / "results/summary.json"));
+    ASSERT_EQ(facts["validity"].size(), 2u) << facts["validity"];
+    EXPECT_EQ(facts["validity"][0]["kind"], "energy_balance");
+    EXPECT_EQ(facts["validity"][1]["kind"], "step");
+    EXPECT_LT(facts["validity"][1]["limit"].get<double>(), 0.0165);
+    EXPECT_THAT(contents(folder_ / "results/report.html"), HasSubstr("Limits of validity"));
     EXPECT_EQ(wrong.code, 4);
     EXPECT_THAT(wrong.err, HasSubstr("more than 10 %"));
-}
-
-TEST_F(Program, ChecksAScenarioThatInheritsItsVehicle) {
-    const std::string base = scenario_for(shipped);
-    std::ofstream(folder_ / "derived.toml") << "base = \"scenario.toml\"\nduration_s = 2.0\n";
-    EXPECT_EQ(run("check derived.toml").code, 0);
 }
 
 TEST_F(Program, RefusesInputsThatNothingListensTo) {
@@ -295,12 +293,23 @@ TEST_F(Program, RefusesInputsThatNothingListensTo) {
 
 TEST_F(Program, HelpsWithTheCommandLine) {
     EXPECT_EQ(run("--help").code, 0);
-    EXPECT_EQ(run("").code, 2);
+    const Outcome nothing = run("");
+    EXPECT_EQ(nothing.code, 2);
+    EXPECT_THAT(nothing.err, HasSubstr("expected a command: 'run', "));
     const Outcome mistyped = run("rum x.toml");
     EXPECT_EQ(mistyped.code, 2);
     EXPECT_THAT(mistyped.err, HasSubstr("did you mean 'run'?"));
     EXPECT_EQ(run("run").code, 2);
-    EXPECT_EQ(run("schema tire").code, 2);
+    const Outcome word = run("schema vehicles");
+    EXPECT_EQ(word.code, 2);
+    EXPECT_THAT(word.err, HasSubstr("kind: 'vehicles': expected 'vehicle' or 'scenario'; did you mean 'vehicle'?"));
+    for (const char* number : {"0.5", "nan", "fast"}) {
+        const Outcome outside = run("kinematics car.toml --travel " + std::string(number));
+        EXPECT_EQ(outside.code, 2);
+        EXPECT_THAT(outside.err,
+                    HasSubstr("--travel: '" + std::string(number) + "': expected a number from 1 to 1000 mm"));
+    }
+    EXPECT_THAT(run("kinematics --help").out, HasSubstr("of the wheels, each way [80 mm]"));
     EXPECT_EQ(run("schema scenario").out, contents(test::source_path("schemas/scenario.schema.json")));
     EXPECT_THAT(run("--version").out, HasSubstr("hamilcar 0."));
 }

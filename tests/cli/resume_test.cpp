@@ -179,16 +179,16 @@ TEST_F(Resume, TellsWhatEndedTheRun) {
     EXPECT_THAT(r.out, HasSubstr("ended by         distance reached 30"));
     const auto facts = nlohmann::json::parse(in("results/summary.json"));
     EXPECT_THAT(facts["ended_by"].get<std::string>(), HasSubstr("distance reached 30"));
-    EXPECT_TRUE(facts["complaints"].empty());
+    EXPECT_TRUE(facts["warnings"].empty());
     std::ofstream(folder_ / "bend.toml") << "name = \"t\"\nvehicle = \"" << car
                                          << "\"\nduration_s = 2.0\n[initial]\nvelocity_m_per_s = 20.0\n"
                                          << "[driver.path]\nx_m = [0.0, 10.0, 20.0]\ny_m = [0.0, 0.0, 9.0]\n";
     ASSERT_EQ(run("run bend.toml -o page --json").code, 0);
     const auto far = nlohmann::json::parse(in("page/summary.json"));
     EXPECT_TRUE(far["ended_by"].is_null());
-    ASSERT_FALSE(far["complaints"].empty());
-    EXPECT_THAT(far["complaints"][0].get<std::string>(), HasSubstr("off the path"));
-    EXPECT_THAT(in("page/report.html"), HasSubstr("could not be done"));
+    ASSERT_FALSE(far["warnings"].empty());
+    EXPECT_THAT(far["warnings"][0].get<std::string>(), HasSubstr("off the path"));
+    EXPECT_THAT(in("page/report.html"), HasSubstr("driver warning"));
 }
 
 TEST_F(Resume, AManeuverThatIsInterruptedDoesNotReplaceAWholeOne) {
@@ -204,7 +204,7 @@ TEST_F(Resume, AManeuverThatIsInterruptedDoesNotReplaceAWholeOne) {
     EXPECT_TRUE(part["interrupted"]);
     EXPECT_FALSE(part["passed"]);
     ASSERT_EQ(run(words).code, 0);
-    const std::string whole = in("drive/outcome.json"), film = in("drive/drive.nc");
+    const std::string whole = in("drive/outcome.json"), replay = in("drive/drive.nc");
     EXPECT_FALSE(nlohmann::json::parse(whole)["interrupted"]);
     const auto again = std::chrono::steady_clock::now();
     const int second = run_until(
@@ -212,7 +212,7 @@ TEST_F(Resume, AManeuverThatIsInterruptedDoesNotReplaceAWholeOne) {
     EXPECT_EQ(WEXITSTATUS(second), 130);
     EXPECT_THAT(in("err.txt"), HasSubstr("stays that of the whole drive before"));
     EXPECT_EQ(in("drive/outcome.json"), whole);
-    EXPECT_EQ(in("drive/drive.nc"), film);
+    EXPECT_EQ(in("drive/drive.nc"), replay);
 }
 
 // The row of the checkpoint's instant is due in both parts.
@@ -246,7 +246,7 @@ TEST_F(Resume, LeavesNoHalvesWhereItIsRefusedOrWasKilled) {
     EXPECT_EQ(halves_in("parts"), 0);
 }
 
-TEST_F(Resume, AManeuversFiguresComeBeforeItsFilms) {
+TEST_F(Resume, AManeuversFiguresComeBeforeItsReplay) {
     ASSERT_EQ(run("run --maneuver weave --vehicle " + car + " -o drive").code, 0);
     const auto size = [&](const char* name) { return static_cast<int>(fs::file_size(folder_ / name)); };
     ASSERT_GT(size("drive/drive.nc"), size("drive/outcome.json") + 2048);

@@ -183,13 +183,14 @@ TEST(Powertrain, PropagatesTorquesDownTheTreeAndSpeedsUp) {
         {.name = "rear", .ratio = 4, .outputs = {{{true, 2}, {true, 3}}}, .shaft_stiffness = 5e3},
         {.name = "center", .ratio = 1.5, .share = 0.4, .outputs = {{{false, 0}, {false, 1}}}, .shaft_stiffness = 5e4}};
     d.power_units[0].output = 2;
-    const Powertrain<double> p = make_powertrain<double>(d);
+    Powertrain<double> p = make_powertrain<double>(d);
+    p.unit_place = 0, p.differential_place = 4, p.supplied_place = 7;
     std::array<double, max_driven_wheels> speeds{10, 12, 20, 24};
     const auto in = p.input_speeds(speeds);
     EXPECT_NEAR(in[0], 44, 1e-12);
     EXPECT_NEAR(in[1], 88, 1e-12);
     EXPECT_NEAR(in[2], 1.5 * (0.4 * 44 + 0.6 * 88), 1e-12);
-    std::vector<double> values(static_cast<std::size_t>(p.size()));
+    std::vector<double> values(8);
     p.unit_state(0, values.data()).momentum = 0.2 * 300;
     p.unit_state(0, values.data()).windup = 0.3;
     PowertrainMomenta<double> out;

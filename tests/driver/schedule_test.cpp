@@ -13,9 +13,10 @@ namespace {
 // Rises, rests, falls steeply, turns back; uneven spacing.
 const SignalDescription smooth{{0.5, 1.0, 1.2, 3.0, 3.1, 5.0, 5.5}, {0, 0.4, 1.0, 1.0, -2.0, -2.5, 0.3}};
 const SignalDescription straight{smooth.time, smooth.value, Interpolation::linear};
+const SignalDescription smoother{smooth.time, smooth.value, Interpolation::smoother};
 
 TEST(Signal, PassesThroughItsPoints) {
-    for (const auto& description : {smooth, straight}) {
+    for (const auto& description : {smooth, smoother, straight}) {
         const Signal signal(description);
         for (std::size_t i = 0; i < description.time.size(); ++i) {
             EXPECT_NEAR(signal.at(description.time[i]).value, description.value[i], 1e-15);
@@ -23,24 +24,30 @@ TEST(Signal, PassesThroughItsPoints) {
     }
 }
 
+// Also where both ends of a piece are as steep as a slope may be: a staircase of short steps and long flights.
 TEST(Signal, IsMonotoneBetweenPoints) {
-    const Signal signal(smooth);
-    for (std::size_t i = 0; i + 1 < smooth.time.size(); ++i) {
-        const double rise = smooth.value[i + 1] - smooth.value[i];
-        double before = smooth.value[i];
-        for (int k = 1; k <= 1000; ++k) {
-            const double time = smooth.time[i] + (smooth.time[i + 1] - smooth.time[i]) * k / 1000;
-            const double value = signal.at(time).value;
-            EXPECT_GE((value - before) * (rise < 0 ? -1 : 1), -1e-15) << "turned back at " << time;
-            EXPECT_TRUE(rise != 0 || value == smooth.value[i]) << "must rest at " << time;
-            before = value;
+    const std::vector<double> steps{0, 0.01, 1.01, 1.02, 2.02, 2.03}, flights{0, 1, 2, 3, 4, 5};
+    const std::vector<SignalDescription> all{
+        smooth, smoother, {steps, flights, Interpolation::smooth}, {steps, flights, Interpolation::smoother}};
+    for (const SignalDescription& d : all) {
+        const Signal signal(d);
+        for (std::size_t i = 0; i + 1 < d.time.size(); ++i) {
+            const double rise = d.value[i + 1] - d.value[i];
+            double before = d.value[i];
+            for (int k = 1; k <= 1000; ++k) {
+                const double time = d.time[i] + (d.time[i + 1] - d.time[i]) * k / 1000;
+                const double value = signal.at(time).value;
+                EXPECT_GE((value - before) * (rise < 0 ? -1 : 1), -1e-14) << "turned back at " << time;
+                EXPECT_TRUE(rise != 0 || value == d.value[i]) << "must rest at " << time;
+                before = value;
+            }
+            EXPECT_NEAR(before, d.value[i + 1], 1e-14);
         }
-        EXPECT_NEAR(before, smooth.value[i + 1], 1e-14);
     }
 }
 
 TEST(Signal, RateAndAccelerationAreDerivatives) {
-    for (const auto& description : {smooth, straight}) {
+    for (const auto& description : {smooth, smoother, straight}) {
         const Signal signal(description);
         for (std::size_t i = 0; i + 1 < description.time.size(); ++i) {
             const double h = description.time[i + 1] - description.time[i];
@@ -66,6 +73,20 @@ TEST(Signal, RateIsContinuousWhenSmooth) {
     EXPECT_EQ(signal.at(5.5).rate, 0);
 }
 
+TEST(Signal, AccelerationIsContinuousWhenSmoother) {
+    const Signal signal(smoother);
+    for (std::size_t i = 0; i + 1 < smoother.time.size(); ++i) {
+        for (const double share : {0.0, 1.0 / 3, 2.0 / 3, 1.0}) {
+            const double time = smoother.time[i] + share * (smoother.time[i + 1] - smoother.time[i]);
+            const auto before = signal.at(time - 1e-9), after = signal.at(time + 1e-9);
+            EXPECT_NEAR(before.rate, after.rate, 1e-4);
+            EXPECT_NEAR(before.acceleration, after.acceleration, 2e-3) << "jerks up to 1e6 over 2 ns";
+        }
+    }
+    EXPECT_EQ(signal.at(0.5).acceleration, 0) << "joins the constant outside";
+    EXPECT_NEAR(signal.at(5.5 - 1e-12).acceleration, 0, 1e-8);
+}
+
 TEST(Signal, IsStraightBetweenPointsWhenLinear) {
     const Signal signal(straight);
     EXPECT_NEAR(signal.at(0.75).value, 0.2, 1e-15);
@@ -75,7 +96,7 @@ TEST(Signal, IsStraightBetweenPointsWhenLinear) {
 }
 
 TEST(Signal, IsConstantOutsideItsTable) {
-    for (const auto& description : {smooth, straight}) {
+    for (const auto& description : {smooth, smoother, straight}) {
         const Signal signal(description);
         for (const auto& [time, value] : {std::pair{-10.0, 0.0}, {0.49, 0.0}, {5.51, 0.3}, {1e6, 0.3}}) {
             EXPECT_EQ(signal.at(time).value, value);

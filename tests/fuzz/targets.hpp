@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "hamilcar/io/column_file.hpp"
 #include "hamilcar/io/crg_file.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/grid_file.hpp"
@@ -24,18 +25,33 @@ inline void demand(bool good, const std::string& what) {
     if (!good) throw std::logic_error(what);
 }
 
-// Reads a file and goes on with it; a mistake in it is well if it is told as such.
+// Reads a file and goes on with it; a mistake in it is well if it is told as such, and so is another file that it names and that
+// cannot be read, whose name is told as it is.
 template <class Read, class Use>
 void read_and_use(Read&& read, Use&& use) {
     try {
         use(read());
     } catch (const io::Error& error) {
         const std::string_view message = error.what();
-        const auto shown = [](char c) { return c >= ' ' && c <= '~'; };
+        if (error.code() == io::ExitCode::input_output) return;
         demand(error.code() == io::ExitCode::bad_file, "a mistake that is none of the file's");
-        demand(message.starts_with("file:") && std::all_of(message.begin(), message.end(), shown),
+        demand(message.starts_with("file:") && message.find('\n') == message.npos,  // cli/main.cpp sees to other bytes
                "a message that is not one line about the file");
     }
+}
+
+// A column of numbers over one that increases, both within their limits.
+inline void run_columns(std::string_view bytes) {
+    const io::ColumnRequest request{"time", "steer", "time_s", "angle_deg", {"number from -90 to 90", -90, 90}};
+    const auto use = [](const io::Samples& samples) {
+        demand(!samples.argument.empty() && samples.argument.size() == samples.value.size(), "columns of two lengths");
+        for (std::size_t i = 0; i < samples.argument.size(); ++i) {
+            demand(std::isfinite(samples.argument[i]) && std::abs(samples.value[i]) < 1.58,
+                   "a number beyond its limits");
+            demand(i == 0 || samples.argument[i] > samples.argument[i - 1], "an argument that does not increase");
+        }
+    };
+    read_and_use([&] { return io::parse_columns(bytes, "file", request); }, use);
 }
 
 inline void run_crg(std::string_view bytes) {

@@ -1,6 +1,7 @@
 // OpenCRG files by hand read as they are meant.
 #include "hamilcar/io/crg_file.hpp"
 
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -36,10 +37,13 @@ TEST(CrgFile, MinimalByHand) {
     EXPECT_NEAR(road.height(7.0, 9.0), 0.1, 1e-12) << "the corner goes on";
 }
 
-TEST(CrgFile, LineEndsOfBothKinds) {
-    std::string text;
-    for (const char c : minimal_crg) text += c == '\n' ? "\r\n" : std::string(1, c);
-    EXPECT_EQ(parsed_crg(text).heights[7], parsed_crg(minimal_crg).heights[7]);
+TEST(CrgFile, LineEndsOfEveryKindAndAByteOrderMark) {
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+        std::string text = "\xef\xbb\xbf";
+        for (const char c : minimal_crg) text += c == '\n' ? end : std::string(1, c);
+        EXPECT_EQ(parsed_crg(text).heights[7], parsed_crg(minimal_crg).heights[7]);
+        EXPECT_EQ(parsed_crg(text).rows(), 4U);
+    }
 }
 
 // Everything that a header may say, and the channels in another order than the sections.
@@ -127,8 +131,8 @@ $ROAD_CRG
     EXPECT_EQ(d.u_increment, 0.25);
     EXPECT_EQ(d.u_end(), 10.5);
     EXPECT_EQ(d.v, (std::vector<double>{-10, 2.5, 20}));
-    EXPECT_NEAR(d.headings[0], 0.1 + pi / 2, 1e-12);
-    EXPECT_NEAR(d.headings[1], 0.0 + pi / 2, 1e-12);
+    EXPECT_NEAR(d.headings[0], -0.1 + pi / 2, 1e-12);
+    EXPECT_NEAR(d.headings[1], -0.2 + pi / 2, 1e-12);
     EXPECT_NEAR(d.x, 100 - 2, 1e-12) << "(1, 2) turned to the left is (-2, 1)";
     EXPECT_NEAR(d.y, 200 + 1, 1e-12);
     EXPECT_EQ(d.z, 303);
@@ -142,6 +146,7 @@ TEST(CrgFile, MissingHeightsByModifier) {
     EXPECT_EQ(missing("GRID_NAN_MODE = 1\n").missing, CrgMissing::zero);
     EXPECT_EQ(missing("GRID_NAN_OFFSET = 0.1\n").missing, CrgMissing::keep);
     EXPECT_EQ(missing("GRID_NAN_OFFSET = 0.1\n").missing_offset, 0.1);
+    EXPECT_EQ(missing("GRID_NAN_MODE = 0\nGRID_NAN_OFFSET = 0.1\n").missing_offset, 0) << "fills in nothing";
     EXPECT_EQ(missing("").missing, CrgMissing::none);
 }
 
@@ -149,6 +154,7 @@ TEST(CrgFile, BinaryByHand) {
     const std::string header = R"($ROAD_CRG
 REFERENCE_LINE_INCREMENT = 2
 LONG_SECTION_V_INCREMENT = 1
+LONG_SECTION_V_RIGHT = -0.5
 $
 $KD_DEFINITION
 #:KRBI
@@ -165,6 +171,70 @@ $$$$
     EXPECT_EQ(std::tuple(d.heights[0], d.heights[1], d.heights[2]), std::tuple(1.0, -0.5, 2.0));
     EXPECT_TRUE(std::isnan(d.heights[3]));
     EXPECT_EQ(parsed_crg(header + data.substr(0, 16)).rows(), 2U) << "a last record may be cut short";
+
+    const std::string told = changed(header, "INCREMENT = 2", "INCREMENT = 2\nREFERENCE_LINE_END_U = 2");
+    EXPECT_EQ(parsed_crg(told + data + data).rows(), 2U)
+        << "what is behind the end that the header tells does not count";
+    expect_error([&] { parsed_crg(told + data.substr(0, 8)); }, ExitCode::bad_file, {":3:", "1 rows of data"});
+    const std::string longer = changed(header, "INCREMENT = 2", "INCREMENT = 2\nREFERENCE_LINE_END_U = 60");
+    expect_error([&] { parsed_crg(longer + data); }, ExitCode::bad_file, {":3:", "reference_line_end_u"});
+
+    const std::string records = changed(header, "KRBI", "LRBI");
+    const std::string row_of_record = data.substr(0, 8) + std::string(72, '\0');
+    const CrgDescription by_records = parsed_crg(records + row_of_record + row_of_record);
+    EXPECT_EQ(by_records.rows(), 2U) << "a long row begins with a record";
+    EXPECT_EQ(by_records.heights, (std::vector<double>{1, -0.5, 1, -0.5}));
+}
+
+TEST(CrgFile, CompactTextGoesOnAcrossLines) {
+    std::string text = changed(minimal_crg, "LRFI", "KRFI");
+    const auto rows = text.find("$$$$");
+    for (auto at = text.find('\n', rows); (at = text.find('\n', at + 1)) != std::string::npos;) text.erase(at, 1);
+    EXPECT_THAT(parsed_crg(text).heights, testing::SizeIs(20));
+    EXPECT_EQ(parsed_crg(text).heights[7], 0.0222222);
+}
+
+TEST(CrgFile, AChannelOfUCountsBeforeTheHeader) {
+    const auto with_u = [](const std::array<const char*, 4>& u) {
+        std::string text = changed(minimal_crg, "D:long section 1,m", "D:reference line u,m\nD:long section 1,m");
+        auto at = text.find('\n', text.find("$$$$"));
+        for (const char* number : u) {
+            text.insert(at + 1, std::string(10 - std::string(number).size(), ' ') + number);
+            at = text.find('\n', at + 1);
+        }
+        return text;
+    };
+    const CrgDescription d = parsed_crg(with_u({"3", "5", "7", "9.03"}));
+    EXPECT_EQ(d.u_start, 3);
+    EXPECT_NEAR(d.u_increment, 2.01, 1e-12);
+    EXPECT_EQ(d.heights[7], 0.0222222);
+    expect_error([&] { parsed_crg(with_u({"3", "5", "7", "10"})); }, ExitCode::bad_file, {"line u", "even steps"});
+    expect_error([&] { parsed_crg(with_u({"3", "5", "5", "7"})); }, ExitCode::bad_file, {"line u", "0 m to row 3"});
+    expect_error([&] { parsed_crg(with_u({"3", "5", "nan", "7"})); }, ExitCode::bad_file, {"line u", "to row 3"});
+}
+
+TEST(CrgFile, UnusedIsZero) {
+    const CrgDescription d = parsed_crg(changed(minimal_crg, " *missing* *missing*", "**unused** *missing*"));
+    EXPECT_EQ(d.heights[13], 0);
+    EXPECT_TRUE(std::isnan(d.heights[14]));
+}
+
+// By hand: the point (u, v) = (1, 0.5) of a line that climbs by a tenth, set down at (10, 20, 30) with another heading.
+TEST(CrgFile, AReferencePointIsSetDown) {
+    const auto placed = [](const std::string& mods) {
+        std::string text = changed(minimal_crg, "= 1.0\n", "= 1.0\nREFERENCE_LINE_START_S = 0.1\n");
+        return CrgRoad(parsed_crg(changed(text, "$ROAD_CRG ", "$ROAD_CRG_MODS\n" + mods + "$\n$ROAD_CRG ")));
+    };
+    const std::string to = "REFPOINT_X = 10\nREFPOINT_Y = 20\nREFPOINT_Z = 30\nREFPOINT_PHI = 1.5707963267948966\n";
+    for (const std::string from : {"REFPOINT_U = 1\nREFPOINT_V = 0.5\n",
+                                   "REFPOINT_U_FRACTION = 1\nREFPOINT_U_OFFSET = -2\nREFPOINT_V_FRACTION = 0.75\n"}) {
+        const CrgRoad road = placed(from + to);
+        EXPECT_NEAR(road.height(10.0, 20.0), 30, 1e-12) << from;
+        EXPECT_NEAR(road.height(10.5, 20.0), 30 + 0.0222222 + 0.0111111, 1e-12) << "v = 0 lies to the right";
+        EXPECT_NEAR(road.height(10.5, 21.0), 30.1 + 0.0111111, 1e-12) << "u goes along y";
+    }
+    EXPECT_NEAR(placed("REFPOINT_Z = 3\nREFLINE_OFFSET_X = 50\n").height(1.0, 0.0), 3 + 0.1 + 0.0222222, 1e-12)
+        << "offsets are out of force";
 }
 
 // Part of a circle, and heights that end as they begin.
@@ -174,6 +244,7 @@ std::string circle(double part, const std::string& options) {
 $ROAD_CRG
 REFERENCE_LINE_INCREMENT = 0.5
 LONG_SECTION_V_INCREMENT = 2
+LONG_SECTION_V_RIGHT = -1
 $
 $KD_DEFINITION
 #:LDFI

@@ -15,6 +15,7 @@ $!**********************************************************************
 $ROAD_CRG                                           ! road parameters
 REFERENCE_LINE_INCREMENT = 1.0
 LONG_SECTION_V_INCREMENT = 0.50
+LONG_SECTION_V_RIGHT = -1
 $
 * a remark between sections
 $KD_Definition                                      ! data definition

@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "hamilcar/io/driver_file.hpp"
-#include "hamilcar/io/key_survey.hpp"
+#include "hamilcar/io/key_record.hpp"
 #include "io/files.hpp"
 
 namespace hamilcar::io {
@@ -159,10 +159,11 @@ TEST(DriverFile, TellsWhatIsWrongInAFileOfPoints) {
 }
 
 // The schema is made by reading without a file.
-TEST(DriverFile, CanBeSurveyed) {
-    TableRecord keys = survey_keys([](const TableReader& file) { read_driver(file.table("driver")); });
-    EXPECT_NE(table_at(keys, {"driver", "path"}).find("preview_s"), nullptr);
-    EXPECT_NE(table_at(keys, {"driver", "ending"}).find("roll_deg"), nullptr);
+TEST(DriverFile, CanBeRecorded) {
+    const TableRecord keys = record_keys([](const TableReader& file) { read_driver(file.table("driver")); });
+    const TableRecord& driver = keys.find("driver")->below.at(0);
+    EXPECT_NE(driver.find("path")->below.at(0).find("preview_s"), nullptr);
+    EXPECT_NE(driver.find("ending")->below.at(0).find("roll_deg"), nullptr);
 }
 
 }  // namespace

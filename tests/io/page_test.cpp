@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/files.hpp"
+#include "support/json_schema.hpp"
 
 namespace hamilcar::io {
 namespace {
@@ -47,6 +48,9 @@ protected:
         text_ = read_file(path);
         document_ =
             json::parse(between(text_, R"(<script id="hamilcar-document" type="application/json">)", "</script>"));
+        if (page.runs.empty()) {
+            EXPECT_EQ(test::PageSchema().mistake(document_, "page_document"), "");
+        }
         bytes_ = decoded(between(text_, R"(<script id="hamilcar-columns" type="text/plain">)", "</script>"));
     }
     std::vector<double> column(const json& reference) const {
@@ -132,26 +136,28 @@ TEST_F(PageFile, HasVerdicts) {
 TEST_F(PageFile, HasEveryNumberOfARun) {
     PageRun run{.name = "r",
                 .file = "results.nc",
-                .columns = {{"time", "s", ""}, {"a", "m", "what"}, {"a.pose.x", "m", ""}},
+                .columns = {{"time", "s", ""}, {"a", "m", "what"}, {"a.pose.x", "m", "", ChannelRole::pose_x, "a"}},
                 .values = {{0, 0.1, 0.2}, {1. / 3, 1e300, -5}, {0.1, 0.2, 0.3}},
-                .motion = {false, false, true},
                 .scene = R"({"vehicle": "v"})",
                 .tiles = {{3, -4, {1.5f, 2.5f, 3.5f}}}};
     write({.title = "t",
            .subtitle = "",
            .blocks = {Replay{}},
-           .runs = {run, PageRun{.name = "no scene",
-                                 .file = "",
-                                 .columns = {},
-                                 .values = {},
-                                 .motion = {},
-                                 .scene = "",
-                                 .tiles = {}}}});
+           .runs = {run,
+                    PageRun{.name = "no scene", .file = "", .columns = {}, .values = {}, .scene = "", .tiles = {}}}});
+    const test::PageSchema schema;
+    EXPECT_EQ(schema.mistake(document_["runs"][1], "run"), "");
+    for (const json& channel : document_["runs"][0]["channels"]) {
+        EXPECT_EQ(schema.mistake(channel, "recorded_channel"), "");
+    }
+    EXPECT_EQ(schema.mistake(document_["runs"][0]["tiles"][0], "run_tile"), "");
     const json& got = document_["runs"][0];
     EXPECT_EQ(got["channels"][1]["unit"], "m");
     EXPECT_EQ(column(got["channels"][0]["column"]), run.values[0]);
     EXPECT_EQ(column(got["channels"][1]["column"]), run.values[1]);  // to the last bit
     EXPECT_EQ(got["channels"][2]["column"]["type"], "f32");
+    EXPECT_EQ(got["channels"][2]["role"], "pose_x");
+    EXPECT_EQ(got["channels"][2]["of"], "a");
     EXPECT_EQ(column(got["channels"][2]["column"])[1], double(0.2f));
     EXPECT_EQ(got["scene"]["vehicle"], "v");
     EXPECT_EQ(got["tiles"][0]["iy"], -4);

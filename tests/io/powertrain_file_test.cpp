@@ -1,5 +1,5 @@
 // Power units and differentials: what a file says becomes what a description holds.
-#include "hamilcar/io/powertrain_file.hpp"
+#include "hamilcar/io/vehicle_tables.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

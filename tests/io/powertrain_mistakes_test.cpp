@@ -57,7 +57,7 @@ const std::vector<BadInput> bad_powertrains{
      "\"front_right\", \"front_left\"",
      "\"front_right\", \"center\"",
      "[\"front\", \"rear\"]",
-     {"'differential[center].outputs'", "do not lead back to their input"}},
+     {"'differential[center].outputs'", "these lead back to their own input"}},
     {"NameOfAWheel",
      "name = \"center\"",
      "name = \"front_left\"",

@@ -153,7 +153,6 @@ TEST(PropertyNumber, IsAWholeFiniteNumberOrNone) {
         EXPECT_EQ(entry.text, text);
         EXPECT_FALSE(entry.quoted);
     }
-    EXPECT_EQ(entry_of("X = '1.5'").number, std::nullopt);  // a text, even if it looks like a number
 }
 
 TEST(PropertyValue, EndsAtACommentOrTrailingComma) {
@@ -207,39 +206,84 @@ TEST(PropertyText, MayBeEmpty) {
 }
 
 TEST(PropertyMistake, NamesItsLine) {
-    expect_mistake("\nX = 1\n", {"a.tir:2: 'X = 1': expected a [section] first"});
     expect_mistake("(X)\n", {"a.tir:1: sub-block '(X)': expected a [section] first"});
     expect_mistake("$\n[A\n", {"a.tir:2: '[A': expected a section to end with ']'"});
     expect_mistake("[ ]\n", {"a.tir:1: ", "expected a section with a name"});
-    expect_mistake("[A] B\n", {"a.tir:1: 'B': expected nothing behind a section but a comment"});
     expect_mistake("[A]\n(B\n", {"a.tir:2: '(B': expected a sub-block to end with ')'"});
     expect_mistake("[A]\n{x y\n", {"a.tir:2: '{x y': expected a table's header to end with '}'"});
-    expect_mistake("[A]\nFNOMIN 4000\n", {"a.tir:2: 'FNOMIN 4000': expected 'KEY = value' or a row of numbers"});
-    expect_mistake("[A]\nX $ = 3\n", {"a.tir:2: 'X': expected 'KEY = value' or a row of numbers"});
-    expect_mistake("[A]\n= 4\n", {"a.tir:2: '': expected a key of one word before '='"});
-    expect_mistake("[A]\nX [mm] = 4\n", {"a.tir:2: 'X [mm]': expected a key of one word before '='"});
-    expect_mistake("[A]\r\rX = 'left\r", {"a.tir:3: ''left': expected a closing '"});
-    expect_mistake("[A]\r\nX = 'a' b\r\n", {"a.tir:2: 'b': expected nothing behind the closing quotation mark"});
-    expect_mistake("\xFF\xFE[", {"a.tir:1: UTF-16: expected UTF-8 or Latin-1"});
 }
 
-TEST(PropertyMistake, InATableNamesItsLine) {
-    expect_mistake("[A]\n{x y}\n1 2\n1 2 3\n", {"a.tir:4: 3 numbers: expected 2 as in the table's header, line 2"});
-    expect_mistake("[A]\n\n1 2\n1\n", {"a.tir:4: 1 numbers: expected 2 as in the table's first row, line 3"});
-    expect_mistake("[A]\n1 2\n3 four\n", {"a.tir:3: 'four': expected a number"});
-    expect_mistake("[A]\n{x}\n1\n{y}\n2\n", {"a.tir:4: a second table: expected one in section 'A', it is at line 2"});
-    expect_mistake("[A]\n1\n[B]\n[A]\n{y}\n",
-                   {"a.tir:5: a second table: expected one in section 'A', it is at line 2"});
+// What other programs pass over is left out, and noted with its line.
+TEST(PropertyNote, NamesWhatIsLeftOutWithItsLine) {
+    struct Oddity {
+        std::string text;
+        std::size_t line;
+        std::string note;
+    };
+    for (const Oddity& odd : std::vector<Oddity>{
+             {"\nX = 1\n[A]\nY = 2\n", 2, "'X = 1' before the first [section] is not used"},
+             {"[A] B\nY = 2\n", 1, "'B' behind a section is not used"},
+             {"[A]\nFNOMIN 4000\nY = 2\n", 2,
+              "'FNOMIN 4000' is not used: it is neither KEY = value nor a row of numbers"},
+             {"[A]\nX $ = 3\nY = 2\n", 2, "'X' is not used: it is neither"},
+             {"[A]\n= 4\nY = 2\n", 2, "'' before '=' is not used: it is no key of one word"},
+             {"[A]\nX [mm] = 4\nY = 2\n", 2, "'X [mm]' before '=' is not used"},
+             {"[A]\r\rX = 'left $ side\rY = 2\r", 3, "''left $ side' has no closing '"},
+             {"[A]\r\nX = 'a' b\r\nY = 2\r\n", 2, "'b' behind the closing quotation mark is not used"},
+             {"[A]\nY = 2\n{x y}\n1 2\n1 2 3\n3 4\n", 5, "a row of 3 is not used: the table's header, line 3, has 2"},
+             {"[A]\nY = 2\n1 2\n1\n3 4\n", 4, "a row of 1 is not used: the table's first row, line 3, has 2"},
+             {"[A]\nY = 2\n1 2\n3 four\n3 4\n", 4, "the row with 'four' is not used: that is no number"},
+             {"[A]\nY = 2\n{x y}\n1 2\n3 4\n{z}\n2\n", 6, "a second table of [A] is not used, only that at line 3"},
+             {"[A]\nY = 2,5\n", 2, "Y = '2,5' is read as 2.5"}}) {
+        SCOPED_TRACE(odd.text);
+        const PropertyFile file = parsed(odd.text);
+        ASSERT_EQ(file.notes.size(), 1u);
+        EXPECT_EQ(file.notes[0].line, odd.line);
+        EXPECT_THAT(file.notes[0].text, testing::StartsWith(odd.note));
+        EXPECT_THAT(file.find("A", "Y")->number, testing::AnyOf(2.0, 2.5)) << "the rest is read";
+        if (file.find("A")->table_line != 0)
+            EXPECT_THAT(file.find("A")->rows, ElementsAre(ElementsAre(1, 2), ElementsAre(3, 4)));
+    }
+    EXPECT_EQ(parsed("[A]\nX = 'left $ side\n").find("A", "X")->text, "left");
+    EXPECT_THAT(parsed("[A]\nX = 1,000.5\n").find("A", "X")->number, testing::Eq(std::nullopt));
+    EXPECT_EQ(parsed(std::string("[A]\n") +
+                     [] {
+                         std::string many;
+                         for (int i = 0; i < 3000; ++i) many += "x\n";
+                         return many;
+                     }())
+                  .notes.size(),
+              1000u);
 }
 
-TEST(PropertyMistake, IsAKeyGivenTwice) {
-    expect_mistake("[A]\nX = 1\nY = 2\nx = 1\n",
-                   {"a.tir:4: 'X' in section 'A': expected it once, it is already at line 2"});
-    expect_mistake("[A]\nX = 1\n[B]\nX = 1\n[A]\nX = 2\n", {"a.tir:6: 'X' in section 'A'", "line 2"});
+TEST(PropertyFile, KeepsAKeyGivenTwiceAndFindsTheFirst) {
+    const PropertyFile file = parsed("[A]\nX = 1\nY = 2\nx = 3\n");
+    EXPECT_EQ(file.find("A", "X")->number, 1.0);
+    EXPECT_EQ(file.find("A")->entries.size(), 3u);
 }
 
-TEST(PropertyMistake, ShowsNoBytesATerminalCouldTripOver) {
-    expect_mistake("[A]\n\xFC\x1b[2J " + std::string(1000, 'x') + "\n", {"a.tir:2: '??[2J xxx", "xxx...': expected"});
+TEST(PropertyText, MayBeUtf16) {
+    const std::string plain = "[A]\r\nX = '\xFC' $ ?\r\nY = 4\r\n";
+    std::string little = "\xFF\xFE", big = "\xFE\xFF";
+    for (const char c : plain) {
+        little += {c, c == '?' ? '\x20' : '\0'};  // a character beyond Latin-1
+        big += {c == '?' ? '\x20' : '\0', c};
+    }
+    for (const std::string& text : {little, big, little + "x"}) {
+        EXPECT_EQ(parsed(text).find("A", "X")->text, "\xFC");
+        EXPECT_EQ(parsed(text).find("A", "Y")->number, 4.0);
+        EXPECT_EQ(parsed(text).find("A", "Y")->line, 3u);
+    }
+}
+
+TEST(PropertyValue, MayBeANumberInQuotationMarks) {
+    EXPECT_EQ(parsed("[A]\nX = '4000'\n").find("A", "X")->number, 4000.0);
+}
+
+TEST(PropertyNote, ShowsNoBytesATerminalCouldTripOver) {
+    const std::string text = "[A]\n\xFC\x1b[2J " + std::string(1000, 'x') + "\n";
+    EXPECT_THAT(parsed(text).notes.at(0).text,
+                testing::AllOf(testing::StartsWith("'??[2J xxx"), testing::HasSubstr("xxx...'")));
 }
 
 TEST(PropertyFile, IsReadFromDisk) {

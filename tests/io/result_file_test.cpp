@@ -203,5 +203,18 @@ TEST_F(ForeignResults, HaveAShallowSceneWithARoadThatIsOneOrNot) {
     }
 }
 
+TEST(ResultFile, ReadsBackWhatChannelsAreAndWhoseTheyAre) {
+    const TemporaryFolder folder;
+    const std::vector<Column> described{{"a.pose.x", "m", "", ChannelRole::pose_x, "a"}, {"b", "1", ""}};
+    const auto file = open_netcdf(folder / "r.nc", described, "t");
+    file->write(0, std::vector<double>{1, 2});
+    file->close();
+    const ResultFile read = read_result(folder / "r.nc");
+    ASSERT_EQ(read.columns.size(), 3u);
+    EXPECT_EQ(read.columns[1].role, ChannelRole::pose_x);
+    EXPECT_EQ(read.columns[1].of, "a");
+    EXPECT_EQ(read.columns[2].role, ChannelRole::none);
+}
+
 }  // namespace
 }  // namespace hamilcar::io

@@ -102,6 +102,25 @@ TEST(RoadFile, TellsWhereAMistakeIs) {
     EXPECT_THAT(mistake("[[road.bump]]\nstart_m = 1.0\n"), HasSubstr("'road.bump'"));
 }
 
+// Each of them costs time at every height that is asked for, or memory before the run.
+TEST(RoadFile, HasAtMostSoManyElements) {
+    const auto times = [](int count, const std::string& entry) {
+        std::string text;
+        for (int i = 0; i < count; ++i) text += entry;
+        return text;
+    };
+    const std::string wave = "[[road.wave]]\namplitude_m = 0.1\nwavelength_m = 2.0\n",
+                      patch = "[[road.friction_patch]]\nfriction = 0.5\n",
+                      random = "[[road.random]]\nclass = \"C\"\nlength_m = 200000.0\n";
+    EXPECT_EQ(mistake(times(1000, wave)), "no mistake");
+    EXPECT_THAT(mistake(times(1001, wave)), HasSubstr("key 'road.wave'"));
+    EXPECT_THAT(mistake(times(1001, wave)), HasSubstr("expected at most 1000 of them"));
+    EXPECT_THAT(mistake(times(1001, patch)), HasSubstr("expected at most 1000 of them"));
+    EXPECT_EQ(mistake(times(2, random)), "no mistake");
+    EXPECT_THAT(mistake(times(3, random)),
+                HasSubstr("expected all of them together at most 8 million times their spacing_m"));
+}
+
 std::string grid_mistake(const std::string& text) {
     const TemporaryFolder folder;
     folder.write("g.asc", text);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "files.hpp"
+#include "hamilcar/io/vehicle_file.hpp"
 
 namespace hamilcar::io {
 namespace {
@@ -135,15 +136,32 @@ TEST(ScenarioFile, ABaseIsOverriddenKeyByKey) {
     EXPECT_THAT(scenario.output.channels, ElementsAre("time"));
 }
 
-TEST(PlaceOf, FindsAKeyHereInABaseOrItsNearestParent) {
+TEST(Places, OfAKeyAreHereInABaseOrThoseOfItsNearestParent) {
     const TemporaryFolder folder;
-    const std::string base = folder.write("base.toml", "name = 'x'\n[solver]\nstep_s = 1e-3\n");
+    const std::string base =
+        folder.write("base.toml",
+                     "name = 'x'\nvehicle = 'v.toml'\nduration_s = 1\n[solver]\nstep_s = 1e-3\n[[road.wave]]\n"
+                     "amplitude_m = 0.1\nwavelength_m = 2\n");
     const std::string derived = folder.write("derived.toml", "base = 'base.toml'\n\nroad.friction = 0.5\n");
-    EXPECT_EQ(place_of(derived, "road.friction"), derived + ":3:17");
-    EXPECT_EQ(place_of(derived, "solver.step_s"), base + ":3:10");
-    EXPECT_EQ(place_of(base, "solver.integrator"), base + ":2:1");
-    EXPECT_EQ(place_of(base, "output.channels"), base);
-    EXPECT_EQ(place_of(base, ""), base);
+    const auto places = read_scenario(derived).places;
+    ASSERT_TRUE(places);
+    EXPECT_EQ(places->of("road.friction"), derived + ":3:17");
+    EXPECT_EQ(places->of("solver.step_s"), base + ":5:10");
+    EXPECT_EQ(places->of("road.wave[0].wavelength_m"), base + ":8:16");
+    EXPECT_EQ(places->of("road.wave[0].length_m"), base + ":6:1");
+    EXPECT_EQ(places->of("output.channels"), derived);
+    EXPECT_EQ(places->of(""), derived);
+    EXPECT_EQ(at_key(places, "road.friction"), derived + ":3:17: ");
+    EXPECT_EQ(at_key(nullptr, "road.friction"), "");
+}
+
+TEST(Places, OfAVehicleGoByTheNamesOfItsAxles) {
+    const std::string path = repository_path("vehicles/bmw_323i.toml");
+    const auto places = read_vehicle(path).places;
+    ASSERT_TRUE(places);
+    EXPECT_EQ(places->file, path);
+    EXPECT_TRUE(places->keys.contains("axle[front].spring.rate_N_per_m"));
+    EXPECT_TRUE(places->of("axle[front].spring.rate_N_per_m").starts_with(path + ":"));
 }
 
 TEST(ShippedScenarios, AreReadAndNameAVehicleThatExists) {

@@ -28,7 +28,7 @@ void expect_point(const Point& actual, const Point& expected, double tolerance =
     EXPECT_THAT(actual, Pointwise(DoubleNear(tolerance), expected));
 }
 
-TEST(ShippedCar, HubIsThatOfTheDataSheet) {
+TEST(ShippedCar, ChassisIsThatOfTheDataSheet) {
     const VehicleDescription car = shipped_car();
     EXPECT_EQ(car.name, "BMW 323i (E30)");
     EXPECT_EQ(car.chassis.mass, 1002.0);

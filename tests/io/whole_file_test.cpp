@@ -63,7 +63,7 @@ TEST(WholeFile, IsNotWrittenThroughALink) {
     EXPECT_EQ(read_file(folder / "victim"), "precious");
 }
 
-TEST(WholeFile, HasANameBesideItThatNobodyCanGuess) {
+TEST(WholeFile, HasANameBesideItThatCannotBeGuessed) {
     const TemporaryFolder folder;
     const std::string one = create_beside(folder / "file"), other = create_beside(folder / "file");
     EXPECT_NE(one, other);
@@ -86,9 +86,29 @@ TEST(JsonText, StandsAnyBytesAndAnyDepth) {
     EXPECT_TRUE(parse_json(std::string(1'000'000, '[')).is_discarded());
     EXPECT_TRUE(parse_json("[1").is_discarded());
     EXPECT_EQ(parse_json(R"(["[[[[\"[", {"a": []}])").size(), 2u);
-    const std::string deepest = std::string(deepest_json, '[') + std::string(deepest_json, ']');
+    const std::string deepest = std::string(max_json_depth, '[') + std::string(max_json_depth, ']');
     EXPECT_FALSE(parse_json(deepest).is_discarded());
     EXPECT_TRUE(parse_json("[" + deepest + "]").is_discarded());
+}
+
+TEST(FileBeginning, IsThatOfARegularFile) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("a.txt", "abcdef");
+    EXPECT_EQ(file_beginning(path, 3), "abc");
+    EXPECT_EQ(file_beginning(path, 30), "abcdef");
+    EXPECT_EQ(file_beginning(folder / "none", 3), "");
+    EXPECT_EQ(file_beginning("/dev/zero", 3), "");
+}
+
+TEST(PutInPlace, ReplacesWhatWasThere) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("a.txt", "old"), name = folder.write("b.txt", "new");
+    put_in_place(name, path);
+    EXPECT_EQ(read_file(path), "new");
+    EXPECT_FALSE(std::filesystem::exists(name));
+    expect_error([&] { put_in_place(name, path); }, ExitCode::input_output,
+                 {"a.txt: cannot put the file in its place"});
+    EXPECT_EQ(read_file(path), "new");
 }
 
 TEST(TomlDepth, IsLimitedBeforeAParserRecurses) {

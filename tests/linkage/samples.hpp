@@ -18,9 +18,9 @@ inline void PrintTo(const LinkageSample& sample, std::ostream* out) {
     *out << sample.name;
 }
 
-inline LinkageSample sample(const Recipe& recipe, const Hardpoints& points, const std::string& suffix = "") {
-    const Composition made = recipe.compose(points);
-    LinkageSample out{std::string(recipe.keyword) + suffix, std::string(recipe.keyword), made.linkage, {}};
+inline LinkageSample sample(const std::string& keyword, const Hardpoints& points, const std::string& suffix = "") {
+    const Composition made = find_recipe(keyword)->compose(points);
+    LinkageSample out{keyword + suffix, keyword, made.linkage, {}};
     const Point center{0.01, 0.72, 0.3};
     for (std::size_t i = 0; i < made.carriers.size(); ++i) {
         out.wheels.push_back({made.carriers[i], i == 0 ? center : mirrored(center)});
@@ -102,8 +102,15 @@ inline Hardpoints arm_points() {
                 {"outer_rear_m", {-0.14, 0.65, 0.2}},
                 {"camber_link_body_m", {0.0, 0.35, 0.48}},
                 {"camber_link_carrier_m", {0.02, 0.64, 0.46}},
+                {"arm_ball_m", {-0.08, 0.66, 0.19}},
+                {"integral_link_arm_m", {0.17, 0.62, 0.22}},
+                {"integral_link_carrier_m", {0.15, 0.65, 0.35}},
+                {"toe_link_body_m", {-0.22, 0.33, 0.24}},
+                {"toe_link_carrier_m", {-0.2, 0.68, 0.23}},
+                {"rack_axis", {0, 1, 0}},
                 {"bush_m", {0.4, 0.55, 0.3}},
                 {"beam_m", {0.2, 0.5, 0.33}}};
+    p.numbers = {{"steered", 0}};
     return p;
 }
 
@@ -123,21 +130,22 @@ inline std::vector<LinkageSample> recipe_samples() {
     rocker.rod_on = "lower_arm";
     Hardpoints four = solid_axle_points();
     four.points["upper_axle_m"] = {0.0, 0.08, 0.45}, four.points["upper_body_m"] = {0.5, 0.4, 0.5};
-    return {sample(macpherson_recipe, strut_points()),
-            sample(double_wishbone_recipe, wishbone_points()),
-            sample(double_wishbone_recipe, rocker, "_with_rocker"),
-            sample(five_link_recipe, five_link_points()),
-            sample(semi_trailing_arm_recipe, arm_points()),
-            sample(trailing_arm_recipe, arm_points()),
-            sample(swing_axle_recipe, arm_points()),
-            sample(h_arm_recipe, arm_points()),
-            sample(twist_beam_recipe, arm_points()),
-            sample(four_link_axle_recipe, four),
-            sample(panhard_axle_recipe, solid_axle_points()),
-            sample(panhard_axle_recipe, steered, "_steered"),
-            sample(watt_axle_recipe, solid_axle_points()),
-            sample(leaf_axle_recipe, solid_axle_points()),
-            sample(leaf_axle_recipe, steered, "_steered")};
+    return {sample("macpherson", strut_points()),
+            sample("double_wishbone", wishbone_points()),
+            sample("double_wishbone", rocker, "_with_rocker"),
+            sample("five_link", five_link_points()),
+            sample("semi_trailing_arm", arm_points()),
+            sample("trailing_arm", arm_points()),
+            sample("swing_axle", arm_points()),
+            sample("h_arm", arm_points()),
+            sample("integral_link", arm_points()),
+            sample("twist_beam", arm_points()),
+            sample("four_link_axle", four),
+            sample("panhard_axle", solid_axle_points()),
+            sample("panhard_axle", steered, "_steered"),
+            sample("watt_axle", solid_axle_points()),
+            sample("leaf_axle", solid_axle_points()),
+            sample("leaf_axle", steered, "_steered")};
 }
 
 }  // namespace hamilcar::test

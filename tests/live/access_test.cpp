@@ -8,32 +8,95 @@
 namespace hamilcar::live {
 namespace {
 
-const Access access("secret", 8080);
+const Secrets secrets{.token = "secret", .once = "once", .session = "client", .folder = "place"};
+const Access access(secrets, 8080);
 
-HttpRequest page() {
+HttpRequest entrance() {
     return {.method = "GET", .target = "/?token=secret", .host = "127.0.0.1:8080"};
+}
+HttpRequest page() {
+    return {.method = "GET", .target = "/place/", .host = "127.0.0.1:8080", .cookie = "hamilcar=client"};
 }
 HttpRequest link() {
     return {.method = "GET",
-            .target = "/live?token=secret",
+            .target = "/place/live",
             .host = "localhost:8080",
             .origin = "http://localhost:8080",
+            .cookie = "hamilcar=client",
             .upgrade = true};
 }
 
-TEST(Access, RequiresToken) {
-    EXPECT_EQ(access.judge(page()), 200);
-    EXPECT_EQ(access.judge(link()), 101);
+TEST(Access, EntranceRequiresToken) {
+    EXPECT_EQ(access.judge(entrance()), 200);
     EXPECT_EQ(access.url(), "http://127.0.0.1:8080/?token=secret");
-    for (const char* target : {"/", "/?", "/?token=", "/?token=secre", "/?token=secrets", "/?token=SECRET",
-                               "/?other=secret", "/?token", "/?token=wrong&token=secret"}) {
-        HttpRequest request = page();
+    for (const char* target :
+         {"/", "/?", "/?token=", "/?token=secre", "/?token=secrets", "/?token=SECRET", "/?other=secret", "/?token",
+          "/?token=wrong&token=secret", "/?token=client", "/?token=place", "/?xtoken=secret"}) {
+        HttpRequest request = entrance();
         request.target = target;
         EXPECT_EQ(access.judge(request), 403) << target;
+        request.cookie = "hamilcar=client";  // opens the page, not the entrance
+        EXPECT_EQ(access.judge(request), 403) << target;
     }
-    HttpRequest further = page();
+    HttpRequest further = entrance();
     further.target = "/?theme=dark&token=secret&x";
     EXPECT_EQ(access.judge(further), 200);
+}
+
+TEST(Access, TokenOfTheOwnBrowserIsGoodOnce) {
+    Access own(secrets, 8080);
+    EXPECT_EQ(own.url_once(), "http://127.0.0.1:8080/?token=once");
+    HttpRequest request = entrance();
+    request.target = "/?token=once";
+    EXPECT_EQ(own.judge(request), 200);
+    own.entered("/?token=secret");
+    EXPECT_EQ(own.judge(request), 200);
+    own.entered(request.target);
+    for (const char* target : {"/?token=once", "/?token=", "/"}) {
+        request.target = target;
+        EXPECT_EQ(own.judge(request), 403) << target;
+    }
+    EXPECT_EQ(own.judge(entrance()), 200);
+}
+
+TEST(Access, PageAndLinkRequireTheCookie) {
+    EXPECT_EQ(access.judge(page()), 200);
+    EXPECT_EQ(access.judge(link()), 101);
+    EXPECT_EQ(access.cookie(), "hamilcar=client; Path=/place/; HttpOnly; SameSite=Strict");
+    for (const char* cookie : {"", "hamilcar", "hamilcar=", "hamilcar=clien", "hamilcar=clients", "hamilcar=secret",
+                               "other=client", "xhamilcar=client", "hamilcar=wrong; hamilcar=client"}) {
+        for (HttpRequest request : {page(), link()}) {
+            request.cookie = cookie;
+            EXPECT_EQ(access.judge(request), 403) << cookie;
+            request.target = request.upgrade ? "/place/live?token=secret" : "/place/?token=secret";
+            EXPECT_EQ(access.judge(request), 403) << cookie;
+        }
+    }
+    HttpRequest further = page();
+    further.cookie = "theme=dark; hamilcar=client; x";
+    EXPECT_EQ(access.judge(further), 200);
+}
+
+// Nothing that opens anything stays in the address.
+TEST(Access, EntranceLeadsToTheFolder) {
+    const std::string text = access.entrance_page();
+    EXPECT_NE(text.find("content=\"0; url=/place/\""), std::string::npos) << text;
+    for (const char* secret : {"secret", "once", "client"}) EXPECT_EQ(text.find(secret), std::string::npos) << secret;
+}
+
+TEST(Access, AllowsTheScriptsThatThePageNames) {
+    const std::string named =
+        "<head><meta http-equiv=\"Content-Security-Policy\" content=\"script-src 'sha256-x='; style-src 'sha256-y='\" "
+        "/>";
+    EXPECT_EQ(inline_policy_of(named + "<script>"), "script-src 'sha256-x='; style-src 'sha256-y='");
+    EXPECT_EQ(inline_policy_of("<script></script>" + named), "");  // a document's text, say
+    EXPECT_EQ(inline_policy_of("<head></head>"), "");
+    const std::string policy = access.content_security_policy(inline_policy_of(named));
+    EXPECT_NE(policy.find("default-src 'none'; script-src 'sha256-x='; style-src 'sha256-y='; img-src"),
+              std::string::npos)
+        << policy;
+    EXPECT_EQ(policy.find("unsafe"), std::string::npos);
+    EXPECT_EQ(access.content_security_policy("").find("script-src"), std::string::npos);
 }
 
 TEST(Access, RejectsOtherHosts) {
@@ -66,7 +129,8 @@ TEST(Access, AllowsTwoPathsAndTwoMethods) {
         EXPECT_EQ(access.judge(request), 405) << method;
     }
     request = page();
-    for (const char* target : {"", "/favicon.ico", "/live/", "//", "/../etc/passwd", "http://127.0.0.1:8080/", "*"}) {
+    for (const char* target : {"", "/favicon.ico", "/live", "/place", "/place/live/", "/place/live2", "/other/", "//",
+                               "/../etc/passwd", "http://127.0.0.1:8080/", "*"}) {
         request.target = target;
         EXPECT_EQ(access.judge(request), 404) << target;
     }
@@ -81,6 +145,7 @@ TEST(SameSecret, ComparesWholeStrings) {
     EXPECT_TRUE(same_secret("abc", "abc"));
     for (const char* given : {"", "ab", "abd", "abcd", "abcabc"}) EXPECT_FALSE(same_secret(given, "abc")) << given;
     EXPECT_FALSE(same_secret("abc", ""));
+    EXPECT_FALSE(same_secret("", ""));
 }
 
 TEST(RandomToken, IsUniqueHexadecimal) {

@@ -88,14 +88,31 @@ TEST_F(ConnectionsTest, PausesUntilAnotherPageTakesControl) {
     connections.remove(3);
 }
 
+// Good messages in between excuse nothing: only time does.
 TEST_F(ConnectionsTest, DisconnectsAfterTooManyInvalidMessages) {
     connections.add(first);
-    for (int i = 0; i < Connections::max_invalid_messages - 1; ++i) connections.receive(1, "what");
-    EXPECT_THAT(first.last(), HasSubstr("refusal"));
-    connections.receive(1, R"({"type":"pause","on":false})");  // resets the count
-    for (int i = 0; i < Connections::max_invalid_messages - 1; ++i) connections.receive(1, "what");
+    for (int i = 0; i < Connections::max_invalid_messages - 1; ++i) {
+        connections.receive(1, "what");
+        EXPECT_THAT(first.last(), HasSubstr("refusal"));
+        connections.receive(1, R"({"type":"pause","on":false})");
+    }
     EXPECT_EQ(first.disconnected, 0);
     connections.receive(1, "what");
+    EXPECT_EQ(first.disconnected, 1);
+}
+
+TEST_F(ConnectionsTest, ForgivesOneInvalidMessageASecond) {
+    connections.add(first), connections.add(second);
+    for (int i = 0; i < 3 * Connections::max_invalid_messages; ++i) {
+        connections.receive(1, "what");
+        connections.forgive();
+    }
+    EXPECT_EQ(first.disconnected, 0);
+    for (int i = 0; i < Connections::max_invalid_messages; ++i) connections.receive(2, "what");
+    EXPECT_EQ(second.disconnected, 1);
+    EXPECT_EQ(first.disconnected, 0);
+    for (int i = 0; i < 100; ++i) connections.forgive();  // no credit is saved
+    for (int i = 0; i < Connections::max_invalid_messages; ++i) connections.receive(1, "what");
     EXPECT_EQ(first.disconnected, 1);
 }
 

@@ -171,7 +171,7 @@ TEST(ServerMessages, DescribeDriveline) {
     const json& unit = driveline.at("units").at(0);
     EXPECT_EQ(unit.at("name"), "engine");
     EXPECT_NEAR(unit.at("idle").get<double>(), 800, 1e-6);
-    EXPECT_NEAR(unit.at("most").get<double>(), 6400, 1e-6);
+    EXPECT_NEAR(unit.at("max").get<double>(), 6400, 1e-6);
     EXPECT_EQ(driveline.at("gears"), 5);
     EXPECT_EQ(driveline.at("reverse"), true);
     EXPECT_EQ(driveline.at("clutch"), true);
@@ -222,7 +222,7 @@ TEST(ServerMessages, HaveFieldsOfProtocol) {
     EXPECT_THAT(car, HasSubstr(R"("friction":0.8)"));
     EXPECT_THAT(car, HasSubstr(R"("name":"chassis.position.x")"));
     EXPECT_THAT(car, HasSubstr(R"("scene":{)"));
-    EXPECT_THAT(hello_message(2, test_catalog()), HasSubstr(R"("vehicles":[{"id":"car",)"));
+    EXPECT_THAT(hello_message(2, test_catalog()), HasSubstr(R"("vehicles":[{"course":false,"id":"car",)"));
     EXPECT_THAT(refusal_message("a \"b\" \xff"), HasSubstr(R"("message":"a \"b\" )"));
     const std::string status = status_message({1, 2}, {.paused = Pause::ended, .ended = "why"}, {"f.nc", 1.5, 0}, 9);
     for (const char* part :

@@ -58,6 +58,41 @@ TEST(Pacer, SkipsTimeLostInSuspend) {
     EXPECT_EQ(pacer.deadline(), woke + millisecond);
 }
 
+// A step that costs more than it simulates: the thread is late at every one, and others still get a twentieth of the time.
+TEST(Pacer, LeavesTimeToOthersWhenItCannotKeepUp) {
+    Pacer pacer(1e-6);
+    pacer.restart(0);
+    Nanoseconds now = 0, slept = 0;
+    while (now < 10 * second) {
+        const Nanoseconds woke = std::max(now, pacer.wake_time(now));
+        slept += woke - now;
+        pacer.begin(woke);
+        now = woke + 50 * microsecond;
+        pacer.end(now);
+    }
+    EXPECT_NEAR(static_cast<double>(slept) / static_cast<double>(now), 0.05, 0.005);
+}
+
+TEST(Pacer, RestsOnlyWhereItIsLateForLong) {
+    Pacer pacer(1e-3);
+    pacer.restart(0);
+    EXPECT_EQ(pacer.wake_time(-5), 0);
+    Nanoseconds now = 90 * millisecond;  // late once: it catches up without a rest
+    for (int i = 0; i < 90; ++i) {
+        EXPECT_EQ(pacer.wake_time(now), now);
+        pacer.begin(now);
+        now += 10 * microsecond;
+        pacer.end(now);
+    }
+    for (int i = 0; i < 1000; ++i) {
+        const Nanoseconds woke = pacer.wake_time(now);
+        EXPECT_EQ(woke, std::max(now, pacer.deadline()));
+        pacer.begin(woke);
+        now = woke + 30 * microsecond;
+        pacer.end(now);
+    }
+}
+
 TEST(Pacer, RestartKeepsCounts) {
     Pacer pacer(1e-3);
     pacer.restart(0);

@@ -254,6 +254,62 @@ TEST(Recordings, ReportOpenFailure) {
     std::filesystem::remove(folder);
 }
 
+std::string notice_of(Session& session) {
+    std::vector<Notice> notices;
+    EXPECT_TRUE(becomes_true([&] {
+        session.update();
+        notices = session.take_notices();
+        return !notices.empty();
+    }));
+    return notices.empty() ? "" : notices[0].message;
+}
+
+TEST(Recordings, AreAtMostSoManyInAFolder) {
+    const std::string folder = scratch_folder();
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder + "/earlier.nc") << "of another drive";
+    std::ofstream(folder + "/earlier.road") << "its road";
+    std::ofstream(folder + "/notes.txt") << "no recording";
+    {
+        Session session(test_catalog(), {"car", "flat"}, folder, {.files = 2});
+        session.set_driven(true);
+        session.record(true, 1);
+        ASSERT_TRUE(becomes_true([&] { return session.update(), session.recording().seconds > 0.1; }));
+        session.record(false, 1);
+        ASSERT_TRUE(becomes_true([&] { return session.update(), session.recording().file.empty(); }));
+        EXPECT_TRUE(session.take_notices().empty());
+        for (int i = 0; i < 2; ++i) {
+            session.record(true, 1);
+            EXPECT_THAT(notice_of(session),
+                        testing::HasSubstr(folder + ": holds as many recordings as it may, 2 of them"));
+        }
+        EXPECT_TRUE(session.recording().file.empty());
+    }
+    std::filesystem::remove_all(folder);
+}
+
+TEST(Recordings, StopWhenTheirFolderIsFull) {
+    const std::string folder = scratch_folder();
+    std::string file;
+    {
+        Session session(test_catalog(), {"car", "flat"}, folder, {.bytes = 50'000});
+        session.set_driven(true);
+        session.record(true, 1);
+        const std::string told = notice_of(session);
+        for (const auto& entry : std::filesystem::directory_iterator(folder)) file = entry.path().string();
+        EXPECT_THAT(told, testing::HasSubstr("holds as many recordings as it may, 500 of them or 5e-05 GB"));
+        EXPECT_THAT(told, testing::HasSubstr(file + " is complete up to here"));
+        EXPECT_TRUE(becomes_true([&] { return session.update(), session.recording().file.empty(); }));
+        EXPECT_TRUE(session.take_notices().empty());  // told once
+    }
+    const io::ResultFile result = io::read_result(file);
+    const std::size_t rows = result.values[0].size();
+    EXPECT_GT(rows, 5u);
+    EXPECT_LE(rows * result.values.size() * sizeof(double), 50'000u);
+    for (std::size_t i = 1; i < rows; ++i) ASSERT_NEAR(result.values[0][i] - result.values[0][i - 1], 0.01, 1e-9);
+    std::filesystem::remove_all(folder);
+}
+
 TEST(Sessions, FailToStartWithUnreadableCar) {
     EXPECT_THROW(Session(test_catalog(), {"wreck", "flat"}, scratch_folder()), io::Error);
 }

@@ -28,7 +28,7 @@ inline TestCourse gates() {
 inline Catalog test_catalog() {
     return {
         .vehicles = {{"car", "A car"}, {"wreck", "None"}},
-        .roads = {{"flat", "Flat"}, {"waves", "Waves"}, {"drop", "From 4 m"}, {"gates", "Gates"}},
+        .roads = {{"flat", "Flat"}, {"waves", "Waves"}, {"drop", "From 4 m"}, {"gates", "Gates", true}},
         .open =
             [](const LoadRequest& request) {
                 if (request.vehicle == "wreck") throw io::Error(io::ExitCode::bad_file, "wreck.toml: no wheels");

@@ -7,6 +7,7 @@
 #include "hamilcar/maneuver/circle_braking.hpp"
 #include "hamilcar/steering/column.hpp"
 #include "lateral_tests.hpp"
+#include "support/recording.hpp"
 
 namespace hamilcar {
 namespace {
@@ -20,27 +21,36 @@ Outcome outcome_of(const VehicleDescription& car, const Settings& chosen) {
 }
 
 // A point that brakes with `deceleration` from the settled circle on and turns `sharper` times as fast as the circle asks.
-History made(double radius, double speed, double deceleration, double sharper) {
-    History h;
+// Its only wheel locks at an instant [s].
+Recording made(double radius, double speed, double deceleration, double sharper, double locks = 1e9) {
+    const std::vector<std::string> channels{channel::x,
+                                            channel::y,
+                                            channel::heading,
+                                            channel::speed,
+                                            channel::sideslip,
+                                            channel::lateral_speed,
+                                            channel::yaw_rate,
+                                            channel::lateral_acceleration,
+                                            channel::wheel_spin("wheel")};
     const double rate = 1000;
     double x = 0, y = 0, yaw = 0;
-    h.wheel_speed.resize(1);
-    for (int i = 0; i <= static_cast<int>((circle_braking::settling + 1.5) * rate); ++i) {
-        const double time = i / rate, braked = std::max(time - circle_braking::settling, 0.0);
-        const double v = speed - deceleration * braked;
-        const double turn = v / radius * (braked > 0 ? sharper : 1.0);
-        h.time.push_back(time), h.x.push_back(x), h.y.push_back(y), h.yaw.push_back(yaw);
-        h.speed.push_back(v), h.lateral_velocity.push_back(0), h.yaw_rate.push_back(turn);
-        h.lateral_acceleration.push_back(v * turn);
-        h.wheel_speed[0].push_back(v / 0.3);
+    const int rows = static_cast<int>((circle_braking::settling + 1.5) * rate) + 1;
+    return test::recorded(channels, test::instants(rate, rows), [&](double time) {
+        const double braked = std::max(time - circle_braking::settling, 0.0), v = speed - deceleration * braked;
+        const double turn = v / radius * (braked > 0 ? sharper : 1.0), spin = time > locks ? 0 : v / 0.3;
+        const std::vector<double> row{x, y, yaw / degree, v, 0, 0, turn / degree, v * turn, spin};
         x += std::cos(yaw + 0.5 * turn / rate) * v / rate, y += std::sin(yaw + 0.5 * turn / rate) * v / rate;
         yaw += turn / rate;
-    }
-    return h;
+        return row;
+    });
+}
+
+circle_braking::Run evaluated(const Recording& recording) {
+    return circle_braking::evaluated(recording, {"wheel"});
 }
 
 TEST(CircleBraking, APointThatKeepsToItsCircleHasRatiosOfOne) {
-    const auto run = circle_braking::evaluated(made(100, 22, 4, 1));
+    const auto run = evaluated(made(100, 22, 4, 1));
     EXPECT_NEAR(run.deceleration, 4, 1e-9);
     EXPECT_NEAR(run.yaw_rate_ratio, 1, 1e-9);
     EXPECT_NEAR(run.acceleration_ratio, 1, 1e-9);
@@ -50,18 +60,16 @@ TEST(CircleBraking, APointThatKeepsToItsCircleHasRatiosOfOne) {
 
 // Sharper by a share s, a point leaves the circle by s (d/R) d / 2, d the way driven, to the first order.
 TEST(CircleBraking, APointThatTurnsInComesInside) {
-    const auto run = circle_braking::evaluated(made(100, 22, 4, 1.1));
+    const auto run = evaluated(made(100, 22, 4, 1.1));
     const double way = 22 - 2;
     EXPECT_NEAR(run.yaw_rate_ratio, 1.1, 1e-9);
     EXPECT_NEAR(run.acceleration_ratio, 1.1, 1e-9);
     EXPECT_NEAR(run.deviation, 0.1 * way * way / 200, 0.01);
-    EXPECT_LT(circle_braking::evaluated(made(100, 22, 4, 0.9)).deviation, -0.1);
+    EXPECT_LT(evaluated(made(100, 22, 4, 0.9)).deviation, -0.1);
 }
 
 TEST(CircleBraking, SeesALockedWheel) {
-    History h = made(100, 22, 4, 1);
-    for (double& speed : h.wheel_speed[0]) speed = &speed - h.wheel_speed[0].data() > 10500 ? 0 : speed;
-    EXPECT_EQ(circle_braking::evaluated(h).locked, 1);
+    EXPECT_EQ(evaluated(made(100, 22, 4, 1, 10.5)).locked, 1);
 }
 
 TEST(BrakingInTurn, TheSteadyCircleIsThatOfTheOperatingPoint) {
@@ -84,7 +92,7 @@ TEST(BrakingInTurn, TurnsInUntilWheelsLock) {
     EXPECT_GT(figure(outcome, "yaw rate ratio"), 1);
     EXPECT_GT(figure(outcome, "path deviation"), 0);
     EXPECT_GT(figure(outcome, "deceleration with locked wheels"), 4);
-    EXPECT_LT(std::abs(outcome.energy.gap()), 1e-3 * outcome.energy.turnover);
+    EXPECT_LT(std::abs(outcome.energy.residual()), 1e-3 * outcome.energy.exchanged);
 }
 
 // On a slippery circle the car runs wide: the farthest deviation is the most negative one.

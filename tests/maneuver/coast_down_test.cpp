@@ -1,4 +1,4 @@
-#include "hamilcar/maneuver/common.hpp"
+#include "hamilcar/maneuver/test_run.hpp"
 #include "maneuver/straight_support.hpp"
 
 namespace hamilcar::test {
@@ -11,7 +11,7 @@ TEST(CoastDown, FindsTheFilesDragAndRollingResistance) {
     // QSY1 times the unloaded radius at the wheel, so over the loaded one at the ground; toe and camber drag a little too.
     EXPECT_NEAR(figure_named(outcome, "rolling resistance"), 100 * 0.01 * 0.2948 / 0.28, 0.03);
     EXPECT_LT(figure_named(outcome, "largest difference of these"), 0.5);
-    EXPECT_LT(std::abs(outcome.energy.gap()), 1e-6 * outcome.energy.turnover);
+    EXPECT_LT(std::abs(outcome.energy.residual()), 1e-6 * outcome.energy.exchanged);
 
     car.aerodynamics.drag_area *= 2;
     const Outcome blunt = driven_straight(coast_down(), car);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hamilcar/maneuver/common.hpp"
+#include "hamilcar/maneuver/test_run.hpp"
 #include "support/car.hpp"
 
 namespace hamilcar {
@@ -32,7 +32,7 @@ double figure(const Watched& watched, double step) {
     Settings chosen;
     for (const Setting& setting : maneuver.settings(car)) {
         if (setting.name == "search" || setting.name == "top_speed") chosen[setting.name] = 0;
-        if (setting.name == "amplitudes") chosen[setting.name] = std::max(setting.least, 1.0);
+        if (setting.name == "amplitudes") chosen[setting.name] = std::max(setting.min, 1.0);
     }
     const Outcome outcome = maneuver.drive(car, complete_settings(maneuver, car, chosen), options);
     for (const Figure& one : outcome.figures) {

@@ -6,6 +6,7 @@
 
 #include "hamilcar/maneuver/fishhook_run.hpp"
 #include "lateral_tests.hpp"
+#include "support/recording.hpp"
 
 namespace hamilcar {
 namespace {
@@ -19,18 +20,17 @@ Outcome outcome_of(const VehicleDescription& car, const Settings& chosen) {
 }
 
 // Loads of the four wheels over 1 s; `left` of the left ones in the middle, for 0.3 s.
-Trial made(double front_left, double rear_left) {
-    Trial trial;
-    History& h = trial.history;
-    h.wheel_load.resize(4);
-    for (int i = 0; i <= 200; ++i) {
-        h.time.push_back(0.005 * i);
-        const bool middle = i >= 90 && i < 150;
-        h.wheel_load[0].push_back(middle ? front_left : 3000), h.wheel_load[1].push_back(3000);
-        h.wheel_load[2].push_back(middle ? rear_left : 3000), h.wheel_load[3].push_back(3000);
-        h.roll.push_back(0), h.lateral_acceleration.push_back(0);
-    }
-    return trial;
+Drive made(
+    double front_left, double rear_left, const std::function<double(double)>& acceleration = [](double) { return 0; }) {
+    std::vector<std::string> channels{channel::roll, channel::lateral_acceleration};
+    for (const std::string& wheel : wheel_names(test::shipped_car())) channels.push_back(channel::wheel_load(wheel));
+    Drive drive;
+    drive.recording = test::recorded(channels, test::instants(200, 201), [&](double time) {
+        const bool middle = time > 0.4475 && time < 0.7475;
+        return std::vector<double>{0,    acceleration(time),        middle ? front_left : 3000,
+                                   3000, middle ? rear_left : 3000, 3000};
+    });
+    return drive;
 }
 
 TEST(Fishhook, TwoWheelLiftIsBothWheelsOfASide) {
@@ -49,33 +49,27 @@ TEST(Fishhook, TwoWheelLiftIsBothWheelsOfASide) {
 // Roll a (1 - exp(-t / T)) has the rate a / T exp(-t / T).
 TEST(Fishhook, WaitsUntilTheRollRateHasDiedAway) {
     const double reached = 1.2, settling = 0.3, roll = 5;  // [s], [s], [deg]
-    const auto history = [&](double side) {
-        History h;
-        for (int i = 0; i <= 600; ++i) {
-            const double t = 0.005 * i;
-            h.time.push_back(t);
-            h.roll.push_back(side * roll * degree * (t < 1 ? 0 : 1 - std::exp(-(t - 1) / settling)));
-        }
-        return h;
+    const auto rolled = [&](auto&& angle) {
+        return test::recorded({channel::roll}, test::instants(200, 601),
+                              [&](double time) { return std::vector<double>{angle(time)}; });
+    };
+    const auto settled = [&](double side) {
+        return rolled([&](double t) { return side * roll * (t < 1 ? 0 : 1 - std::exp(-(t - 1) / settling)); });
     };
     const double expected = 1 - reached + settling * std::log(roll / settling / 1.5);
     ASSERT_GT(expected, 0.3);
     for (const double side : {1.0, -1.0}) {
-        EXPECT_NEAR(fishhook_run::calm_after(history(side), reached), expected, 0.006);
+        EXPECT_NEAR(fishhook_run::calm_after(settled(side), reached), expected, 0.006);
     }
-    History rolling = history(1);  // without an end
-    for (std::size_t i = 0; i < rolling.size(); ++i) rolling.roll[i] = 2 * degree * rolling.time[i];
-    EXPECT_EQ(fishhook_run::calm_after(rolling, reached), 1.5);
+    EXPECT_EQ(fishhook_run::calm_after(rolled([](double t) { return 2 * t; }), reached), 1.5);  // without an end
 }
 
 // A spike of one row is the instrument's, not the vehicle's; what lasts is.
 TEST(Fishhook, LateralAccelerationIsSmoothed) {
     const VehicleDescription car = test::shipped_car();
-    Trial trial = made(3000, 3000);
-    for (double& a : trial.history.lateral_acceleration) a = 6;
-    trial.history.lateral_acceleration[100] = 60;
+    const Drive drive = made(3000, 3000, [](double time) { return std::abs(time - 0.5) < 1e-3 ? 60 : 6; });
     fishhook_run::Run run{.speed = 56, .side = 1};
-    fishhook_run::evaluate(car, trial, run);
+    fishhook_run::evaluate(car, drive, run);
     EXPECT_GT(run.lateral_acceleration, 6);
     EXPECT_LT(run.lateral_acceleration, 10);
 }
@@ -121,7 +115,7 @@ TEST(Fishhook, TheLowCarStaysOnItsWheels) {
     EXPECT_EQ(figure(outcome, "highest speed without tip-up"), 80);
     EXPECT_LT(figure(outcome, "longest two-wheel lift"), 0.25);
     EXPECT_LT(figure(outcome, "largest roll angle"), 15);
-    EXPECT_LT(std::abs(outcome.energy.gap()), 1e-3 * outcome.energy.turnover);
+    EXPECT_LT(std::abs(outcome.energy.residual()), 1e-3 * outcome.energy.exchanged);
 }
 
 // g t / (2 h) below what tires hold: it tips before it slides.

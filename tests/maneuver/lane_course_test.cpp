@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "hamilcar/maneuver/catalog.hpp"
 #include "hamilcar/maneuver/course_driver.hpp"
 #include "support/fleet.hpp"
+#include "support/recording.hpp"
 
 namespace hamilcar {
 namespace {
@@ -13,21 +15,22 @@ const std::vector<Lane> one_lane{{0, 12, -2, 2}};
 
 // A combination that has rolled straight ahead from one row to the next, its trailer moved aside as a whole. The contacts are
 // written out from the description: of dual tires the outer one's.
-History rolled(const VehicleDescription& truck, double from, double to, double aside) {
-    History history;
+Recording rolled(const VehicleDescription& truck, double from, double to, double aside) {
     const Point& center = truck.chassis.center_of_mass;
-    for (const double x : {from, to}) {
-        history.time.push_back(x), history.x.push_back(x), history.y.push_back(0), history.yaw.push_back(0);
-        std::size_t number = 0;
+    std::vector<std::string> channels{channel::x, channel::y, channel::heading};
+    for (const std::string& wheel : wheel_names(truck)) {
+        channels.insert(channels.end(), {channel::contact_x(wheel), channel::contact_y(wheel)});
+    }
+    return test::recorded(channels, {from, to}, [&](double x) {
+        std::vector<double> row{x, 0, 0};
         for_each_wheel(truck, [&](const auto& wheel, std::size_t unit) {
             const Point& at = wheel.wheel.center;
             const double side = at[1] > 0 ? 1 : -1, outer = at[1] + side * 0.5 * wheel.dual_spacing;
-            if (history.wheel_x.size() == number) history.wheel_x.emplace_back(), history.wheel_y.emplace_back();
-            history.wheel_x[number].push_back(x + at[0] - center[0]);
-            history.wheel_y[number++].push_back(outer - center[1] + (unit > 0 ? aside : 0));
+            row.push_back(x + at[0] - center[0]);
+            row.push_back(outer - center[1] + (unit > 0 ? aside : 0));
         });
-    }
-    return history;
+        return row;
+    });
 }
 
 // Beside the trailer's middle, where its outer tires end.
@@ -70,14 +73,14 @@ TEST(LaneCourse, IsCompleteWhenTheTrailerIsOut) {
 TEST(CourseDriver, DrivesOnUntilTheTrailerIsOut) {
     const VehicleDescription truck = test::shipped("truck_semitrailer");
     const LaneChange straight_on{.title = "one lane", .lanes = {{0, 20, -3, 3}}, .lift = {}};
-    const ManeuverOptions options;
-    CourseDriver driver(truck, straight_on, {{"preview_time", 0.8}, {"attempts", 1}}, options, 1);
-    Outcome outcome;
-    const CourseDrive drive = driver.drive(50, false, outcome);
+    const Settings settings{{"preview_time", 0.8}, {"attempts", 1}};
+    TestRun test(double_lane_change(), truck, settings, {.keep_runs = false});
+    CourseDriver driver(test, straight_on, 1);
+    const CourseDrive drive = driver.drive(50);
     EXPECT_TRUE(drive.passage.clean());
-    double last = 1e9;
-    for (const auto& wheel : drive.trial.history.wheel_x) last = std::min(last, wheel.back());
-    EXPECT_GT(last, 20);
+    for (const std::string& wheel : wheel_names(truck)) {
+        EXPECT_GT(drive.drive.recording[channel::contact_x(wheel)].values.back(), 20) << wheel;
+    }
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "hamilcar/analysis/series_tools.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/maneuver/catalog.hpp"
-#include "hamilcar/maneuver/common.hpp"
+#include "hamilcar/maneuver/scenarios.hpp"
 #include "support/fleet.hpp"
 
 namespace hamilcar::test {
@@ -52,9 +52,9 @@ inline void expect_settings_checked(const Maneuver& maneuver, const std::string&
 // Where nothing steers, or nothing drives, there is no test.
 inline void expect_obstacles(const Maneuver& maneuver) {
     VehicleDescription car = shipped_car();
-    EXPECT_EQ(maneuver.obstacle(car), "");
+    EXPECT_EQ(maneuver.unsupported_reason(car), "");
     car.steering = {};
-    EXPECT_NE(maneuver.obstacle(car), "");
+    EXPECT_NE(maneuver.unsupported_reason(car), "");
 }
 
 // Told to stop at the first occasion.

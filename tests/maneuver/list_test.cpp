@@ -16,7 +16,7 @@ Outcome driven(const Maneuver& maneuver, const VehicleDescription& car, const Ma
 
 class AnyManeuver : public testing::TestWithParam<std::string> {};
 
-TEST_P(AnyManeuver, TakesNoLinkageThatCameApartForDriving) {
+TEST_P(AnyManeuver, TakesNoConstraintViolationForDriving) {
     const Maneuver& maneuver = *find_maneuver(GetParam());
     for (const double step : {0.1, 0.02}) {
         ManeuverOptions options;

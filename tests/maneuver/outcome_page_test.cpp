@@ -2,9 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "hamilcar/maneuver/outcome_file.hpp"
+#include "hamilcar/run/validity_report.hpp"
 
 namespace hamilcar {
 namespace {
@@ -43,6 +47,37 @@ TEST(ComparisonPage, NamesTheRunThatFailedAndEveryRunsNotes) {
     EXPECT_FALSE(tells(page, "Car could not be driven"));
     EXPECT_TRUE(tells(page, "Car: the tires were warm"));
     EXPECT_TRUE(tells(page, "Van: the road was wet"));
+}
+
+TEST(OutcomePage, ShowsWhatLimitsItsValidityOrThatNothingDoes) {
+    const auto has_table = [](const io::Page& page, const std::string& where) {
+        return std::ranges::any_of(page.blocks, [&](const io::PageBlock& block) {
+            const auto* table = std::get_if<io::Table>(&block);
+            return table && std::ranges::any_of(table->rows, [&](const std::vector<io::Cell>& row) {
+                       return std::holds_alternative<std::string>(row[0]) && std::get<std::string>(row[0]) == where;
+                   });
+        });
+    };
+    Outcome out = outcome_with(5);
+    EXPECT_TRUE(tells(outcome_page(run_of("Car"), out), "no model left its range"));
+    out.validity = {{.kind = "tire_load",
+                     .where = "front_left.tire",
+                     .quantity = "vertical force",
+                     .unit = "N",
+                     .worst = 9000,
+                     .limit = 8000,
+                     .time = 2,
+                     .from = 1.5,
+                     .to = 2.5,
+                     .meaning = "the file ends",
+                     .advice = "another file",
+                     .drive = "to the left"}};
+    EXPECT_TRUE(has_table(outcome_page(run_of("Car"), out), "front_left.tire, to the left"));
+    EXPECT_TRUE(has_table(comparison_page({{run_of("Car"), out}, {run_of("Van"), outcome_with(3)}}),
+                          "front_left.tire, to the left"));
+    const std::vector<ValidityWarning> back = validity_of(outcome_json(run_of("Car"), out).at("validity"));
+    ASSERT_EQ(back.size(), 1u);
+    EXPECT_EQ(sentence(back[0]), sentence(out.validity[0]));
 }
 
 TEST(ComparisonPage, ExplainsMissingValuesWhereThereAreAny) {
@@ -84,6 +119,48 @@ TEST(ComparisonPage, ShowsConesAndMarksOfEveryRunOnceWhereTheyAreTheSame) {
     EXPECT_EQ(chart.vertical_marks[1].second, "Van, second gate");
     ASSERT_EQ(chart.horizontal_marks.size(), 1u);
     EXPECT_EQ(chart.horizontal_marks[0].second, "limit");
+}
+
+TEST(OutcomeFile, GivesBackEveryDiagramAndVerdictThatWasWritten) {
+    Outcome out = outcome_with(5);
+    out.charts.push_back({.title = "Bare", .x_label = "x", .y_label = "y"});
+    io::Chart& chart = out.charts[0];
+    chart.curves = {{"driven", {0, 1, 2}, {0, std::numeric_limits<double>::quiet_NaN(), 3}, true}};
+    chart.log_y = chart.equal_axes = true;
+    chart.marks = {{"cones", {10, 20}, {1, 2}}};
+    chart.lines = {{1, 2, 3, 4}};
+    chart.vertical_marks = {{10, "gate"}};
+    chart.horizontal_marks = {{2, "limit"}};
+    out.verdicts = {{"no cone is hit", false, "2 cones"}};
+    const std::string path = testing::TempDir() + "outcome.json";
+    ManeuverRun car = run_of("Car");
+    car.settings = {{{.name = "speed", .unit = "km/h", .default_value = 80}, 90},
+                    {choice_setting("side", "that is slippery", {{"left", 1}, {"right", -1}}, "left"), -1}};
+    std::ofstream(path) << outcome_json(car, out).dump();
+    const auto [run, read] = read_outcome(path);
+    ASSERT_EQ(run.settings.size(), 2u);
+    EXPECT_EQ(setting_text(run.settings[0].first, run.settings[0].second), "90");
+    EXPECT_EQ(setting_text(run.settings[1].first, run.settings[1].second), "right");
+    ASSERT_EQ(read.charts.size(), 2u);
+    const io::Chart& back = read.charts[0];
+    ASSERT_EQ(back.curves.size(), 1u);
+    EXPECT_EQ(back.curves[0].label, "driven");
+    EXPECT_EQ(back.curves[0].x, chart.curves[0].x);
+    EXPECT_TRUE(std::isnan(back.curves[0].y.at(1))) << "a gap stays one";
+    EXPECT_EQ(back.curves[0].y.at(2), 3);
+    EXPECT_TRUE(back.curves[0].points && back.log_y && back.equal_axes && !back.log_x);
+    EXPECT_EQ(back.title + back.x_label + back.y_label, chart.title + chart.x_label + chart.y_label);
+    ASSERT_EQ(back.marks.size(), 1u);
+    EXPECT_EQ(back.marks[0].label, "cones");
+    EXPECT_EQ(back.marks[0].y, chart.marks[0].y);
+    ASSERT_EQ(back.lines.size(), 1u);
+    EXPECT_EQ(back.lines[0].y1, 4);
+    EXPECT_EQ(back.vertical_marks, chart.vertical_marks);
+    EXPECT_EQ(back.horizontal_marks, chart.horizontal_marks);
+    EXPECT_TRUE(read.charts[1].marks.empty() && read.charts[1].lines.empty() && !read.charts[1].equal_axes);
+    ASSERT_EQ(read.verdicts.size(), 1u);
+    EXPECT_EQ(read.verdicts[0].found, "2 cones");
+    EXPECT_FALSE(read.verdicts[0].passed);
 }
 
 // A diagram that only the second run has keeps what is on it.

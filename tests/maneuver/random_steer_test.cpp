@@ -54,24 +54,20 @@ TEST(RandomSteer, MindsItsSettings) {
 
 // There is no steady gain in such a drive: what it is compared with is said by the line that stands for it.
 TEST(RandomSteer, NamesTheLineThatItsGainsAreComparedWith) {
-    const SteeringGain found{.frequency = {0.2, 1, 2},
-                             .yaw_rate = {2.0, 2.01, 1.0},
-                             .lateral_acceleration = {8.0, 7.0, 6.0},
-                             .yaw_coherence = {},
-                             .lateral_coherence = {}};
-    SteadyGain compared = lowest_gain(found);
-    compared.line = 0.2;
-    Outcome outcome;
-    add_yaw_rate_gain(found, compared, {}, outcome);
+    const SteeredOutput& yaw_rate = steered_outputs.front();
+    const Answer found{.frequency = {0.2, 1, 2}, .response = {2.0, 2.01, 1.0}, .coherence = {}};
+    const ComparedGain compared{lowest_gain(found).gain, 0.2};
+    TestRun by_line(random_steer(), test::shipped_car(), {}, {}), by_steady(by_line);
+    add_answer(by_line, yaw_rate, found, compared, {});
+    const Outcome& outcome = by_line.outcome;
     EXPECT_EQ(test::figure(outcome, "yaw rate gain at the lowest line"), 2);
     EXPECT_TRUE(std::isnan(test::figure(outcome, "yaw rate peak frequency"))) << "half a percent is noise";
     for (const Figure& figure : outcome.figures) {
         EXPECT_EQ(figure.meaning.find("steady"), std::string::npos) << figure.name;
         EXPECT_EQ(figure.name.find("lateral"), std::string::npos) << figure.name;
     }
-    Outcome steady;
-    add_yaw_rate_gain(found, lowest_gain(found), {}, steady);
-    EXPECT_EQ(test::figure(steady, "yaw rate peak frequency"), 1);
+    add_answer(by_steady, yaw_rate, found, lowest_gain(found), {});
+    EXPECT_EQ(test::figure(by_steady.outcome, "yaw rate peak frequency"), 1);
 }
 
 }  // namespace

@@ -20,8 +20,6 @@ TEST(RoughRoad, FiguresBelongTogether) {
     const double x = figure_named(outcome, "a_wx"), y = figure_named(outcome, "a_wy"),
                  z = figure_named(outcome, "a_wz");
     EXPECT_NEAR(figure_named(outcome, "a_v"), std::sqrt(x * x + y * y + z * z), 1e-9);
-    EXPECT_GT(z, 0.4);  // a sedan on a class C road at 80 km/h, as published: 0.5 to 1
-    EXPECT_LT(z, 1.1);
     EXPECT_GE(figure_named(outcome, "MTVV along z"), z);
     EXPECT_NEAR(figure_named(outcome, "mean speed"), 80, 1);
     EXPECT_FALSE(outcome.notes.empty());

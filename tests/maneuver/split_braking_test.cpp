@@ -1,4 +1,4 @@
-#include "hamilcar/maneuver/common.hpp"
+#include "hamilcar/maneuver/scenarios.hpp"
 #include "maneuver/straight_support.hpp"
 
 namespace hamilcar::test {
@@ -37,7 +37,7 @@ TEST(SplitBraking, TheFirstTurnIsThatOfTheBrakesForces) {
     const double most = moment / inertia / degree;  // after one second, were there nothing against it [deg/s]
     EXPECT_LT(std::abs(figure_named(outcome, "yaw rate after 1 s")), most);
     EXPECT_GT(std::abs(figure_named(outcome, "yaw rate after 1 s")), 0.2 * most);
-    EXPECT_EQ(verdict_about(outcome, "steering at most"), nullptr) << "nobody steers";
+    EXPECT_EQ(verdict_about(outcome, "steering at most"), nullptr) << "no driver steers";
 }
 
 TEST(SplitBraking, ADriverHoldsTheLaneUnlessAllWheelsLock) {

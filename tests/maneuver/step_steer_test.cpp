@@ -62,7 +62,7 @@ TEST(StepSteer, FailsOnIce) {
     EXPECT_FALSE(outcome.passed());
 }
 
-// Whoever loses speed in the turn has peaks that come from that, not from the step.
+// A car that loses speed in the turn has peaks that come from that, not from the step.
 TEST(StepSteer, FailsWhereTheSpeedFalls) {
     VehicleDescription car = test::shipped_car();
     car.aerodynamics.side_area.reset(),

@@ -32,7 +32,7 @@ TEST(StraightBraking, LockedWheelsSlowDownWithTheFriction) {
         EXPECT_NEAR(figure_named(outcome, "MFDD"), developed, 0.01 * developed);
         const double way = std::log(1 + drag * v * v / locked) / (2 * drag);
         EXPECT_NEAR(figure_named(outcome, "stopping distance"), way, 1.5) << "with the pedal's way";
-        EXPECT_LT(std::abs(outcome.energy.gap()), 1e-5 * outcome.energy.turnover);
+        EXPECT_LT(std::abs(outcome.energy.residual()), 1e-5 * outcome.energy.exchanged);
     }
 }
 
@@ -99,9 +99,9 @@ TEST(StraightBraking, OneLockedRearWheelIsNotALockedAxle) {
 
 TEST(StraightBraking, RefusesAndStops) {
     VehicleDescription car = shipped_car();
-    EXPECT_TRUE(straight_braking().obstacle(car).empty());
+    EXPECT_TRUE(straight_braking().unsupported_reason(car).empty());
     for (SuspensionDescription& corner : car.suspensions) corner.wheels[0].brake.max_torque = 0;
-    EXPECT_FALSE(straight_braking().obstacle(car).empty());
+    EXPECT_FALSE(straight_braking().unsupported_reason(car).empty());
     expect_bad_settings(straight_braking(), {{"pedal", 150}});
     expect_bad_settings(straight_braking(), {{"peddle", 50}});
     expect_interruptible(straight_braking());

@@ -74,8 +74,8 @@ inline VehicleDescription reference_car() {
     VehicleDescription car;
     car.name = "BMW 323i (E30-based, five-body model)";
     car.chassis = {1002.0, {-1.1524, 0, 0.6137}, {215.1, 1624.6, 1573.9}, {}};
-    car.suspensions = axle("front", macpherson_recipe, strut_hardpoints(), front);
-    for (SuspensionDescription& driven : axle("rear", semi_trailing_arm_recipe, arm_hardpoints(), rear)) {
+    car.suspensions = axle("front", *find_recipe("macpherson"), strut_hardpoints(), front);
+    for (SuspensionDescription& driven : axle("rear", *find_recipe("semi_trailing_arm"), arm_hardpoints(), rear)) {
         driven.wheels[0].drive_share = 0.5;
         car.suspensions.push_back(driven);
     }

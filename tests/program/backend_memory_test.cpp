@@ -116,7 +116,7 @@ Pages pages() {
 }
 
 TEST(Backend, GivesMemoryBack) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef HAMILCAR_SANITIZED
     GTEST_SKIP() << "the address sanitizer keeps what is freed";
 #endif
     std::vector<Graph> graphs;

@@ -51,14 +51,30 @@ TEST(CrgBorder, BordersRepeatMoreThanOnce) {
     EXPECT_NEAR(road.height(1.0, -7.5), ramp(1, 1.5), 1e-12);
 }
 
-// Both borders at once: the lateral one takes precedence where it is zero.
+// Both borders at once, as OpenCRG's library has it: both offsets count.
 TEST(CrgBorder, BordersTogether) {
     CrgDescription d = straight(ramp);
     d.border_u = CrgBorder::keep, d.border_v = CrgBorder::zero;
     d.border_offset_u = 0.25, d.border_offset_v = 0.5;
-    EXPECT_NEAR(CrgRoad(d).height(5.0, 3.0), 0.5, 1e-12);
-    d.border_v = CrgBorder::keep;
+    EXPECT_NEAR(CrgRoad(d).height(5.0, 3.0), 0.75, 1e-12);
+    d.z = 2;
+    EXPECT_NEAR(CrgRoad(d).height(5.0, 3.0), 2.75, 1e-12) << "beyond the end the line's elevation stays";
+    EXPECT_NEAR(CrgRoad(d).height(2.0, 3.0), 0.5, 1e-12) << "beside the road it does not";
+    d.border_u = CrgBorder::zero, d.border_v = CrgBorder::keep;
+    EXPECT_NEAR(CrgRoad(d).height(5.0, 3.0), 0.75, 1e-12);
+    d.border_u = CrgBorder::repeat;
+    EXPECT_NEAR(CrgRoad(d).height(5.0, 3.0), 2 + ramp(1, 2) + 0.75, 1e-12);
+    d.z = 0, d.border_u = d.border_v = CrgBorder::keep;
     EXPECT_NEAR(CrgRoad(d).height(5.0, 3.0), ramp(4, 2) + 0.75, 1e-12);
+}
+
+// Where both reach, the one at the end counts.
+TEST(CrgBorder, SmoothZonesMayOverlap) {
+    CrgDescription d = straight([](double, double) { return 0.4; });
+    d.smooth_start = 4, d.smooth_end = 3;
+    const CrgRoad road(d);
+    EXPECT_NEAR(road.height(0.5, 0.0), 0.05, 1e-12);
+    EXPECT_NEAR(road.height(2.5, 0.0), 0.2, 1e-12);
 }
 
 TEST(CrgBorder, SmoothsInAndOut) {

@@ -115,8 +115,22 @@ TEST(CrgRoad, KnownEndIsMet) {
     const CrgRoad road(d);
     EXPECT_NEAR(road.xy_of(2, 0).x, 2.02, 1e-12);
     EXPECT_NEAR(road.xy_of(1, 0).x, 0.5 * 1 + 0.5 * 1.02, 1e-12);
-    EXPECT_NEAR(road.height_uv(1.0, 0.0), 0.5 * 0.1 + 0.5 * 0.14, 1e-12);
     EXPECT_NEAR(road.height_uv(2.0, 0.0), 0.24, 1e-12);
+}
+
+// The weights of elevations lag behind those of x and y by one row, as in OpenCRG's library: 0 and 1/3 on the way to the end.
+TEST(CrgRoad, KnownElevationOfTheEndIsMet) {
+    CrgDescription d;
+    d.u_increment = 1;
+    d.v = {-1, 1};
+    d.headings = {0, 0, 0};
+    d.slopes = {0.1, 0.1, 0.1};
+    fill(d, 4, [](double, double) { return 0; });
+    d.end_z = 0.36;
+    const CrgRoad road(d);
+    EXPECT_NEAR(road.height_uv(1.0, 0.0), 0.1, 1e-12);
+    EXPECT_NEAR(road.height_uv(2.0, 0.0), 2.0 / 3 * 0.2 + 1.0 / 3 * 0.26, 1e-12);
+    EXPECT_NEAR(road.height_uv(3.0, 0.0), 0.36, 1e-12);
 }
 
 TEST(CrgRoad, DerivativesAreThoseOfTheSurface) {

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 
+#include "hamilcar/description/road.hpp"
+#include "hamilcar/road/plane.hpp"
+#include "hamilcar/road/surface.hpp"
+
 namespace hamilcar {
 namespace {
 

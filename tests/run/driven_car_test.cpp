@@ -112,7 +112,7 @@ TEST(DrivenCar, IsRefusedWhereItCannotBeDriven) {
     EXPECT_THAT(refusal(car, s), testing::StartsWith("key 'driver.gear.number' = 9: "));
     s.driver.shifting->gear = -1;
     EXPECT_THAT(refusal(car, s),
-                testing::HasSubstr("'driver.gear.number' = -1: the reverse gear takes nobody to the wanted speed"));
+                testing::HasSubstr("'driver.gear.number' = -1: the reverse gear cannot reach the wanted speed"));
     s.driver.shifting->gear = 0;
     EXPECT_THAT(refusal(car, s), testing::HasSubstr("'driver.gear.number' = 0: neutral"));
     s.driver.speed->speed.value = {0};

@@ -29,7 +29,7 @@ double speed(const Simulation& simulation) {
     return simulation.sample().velocity.chassis.head<3>().norm();
 }
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef HAMILCAR_SANITIZED
 constexpr double standing = 60;  // [s]; instrumented, ten minutes of a car take minutes of everybody
 #else
 constexpr double standing = 600;
@@ -165,7 +165,7 @@ TEST_P(LowSpeed, PathsDoNotDependOnTheStep) {
     start.drive = test::table({0.1, 0.4, 4}, {0, 900, 900});
     drives.push_back({"start on snow", start});
     for (auto& [name, scenario] : drives) {
-        const auto path = [&](double step) {
+        const auto path = [&, &scenario = scenario](double step) {
             scenario.solver.step = step;
             Simulation simulation(car(), scenario);
             std::vector<Vec3<double>> points;
@@ -189,10 +189,10 @@ TEST_P(LowSpeed, PathsDoNotDependOnTheStep) {
 }
 
 std::string name_of(const testing::TestParamInfo<std::size_t>& tire) {
-    static constexpr std::array names{"MagicFormula", "Tmeasy", "Fiala", "Brush"};
-    return names[tire.param];
+    const auto keyword = [](const auto& model) { return std::string(model.keyword); };
+    return std::visit(keyword, make_tire<double>(test::slip_tires()[tire.param]));
 }
-INSTANTIATE_TEST_SUITE_P(Tires, LowSpeed, testing::Range(std::size_t{0}, std::size_t{4}), name_of);
+INSTANTIATE_TEST_SUITE_P(Tires, LowSpeed, testing::Range(std::size_t{0}, test::slip_tires().size()), name_of);
 
 }  // namespace
 }  // namespace hamilcar

@@ -117,9 +117,9 @@ TEST(UnevenRoad, ACarOnItsRoofLiesOnTheGround) {
     EXPECT_LT(middle[2], -0.02 * middle[0] + 1.2) << "and on it";
 }
 
-// Nothing takes energy but the road's own motion under the wheels, and that is in the books: the balance closes at the
+// Nothing takes energy but the road's own motion under the wheels, and that is in the energy balance, which closes at the
 // integrator's order.
-TEST(UnevenRoad, KeepsItsBooks) {
+TEST(UnevenRoad, KeepsItsEnergyBalance) {
     ScenarioDescription s = test::scenario(1.5, 12);
     s.solver.integrator = "rk4";
     s.road.waves = {{.amplitude = 0.03, .wavelength = 4, .right_phase = 1}};

@@ -11,6 +11,7 @@
 #include "hamilcar/run/channels.hpp"
 #include "support/fleet.hpp"
 #include "support/hardpoints.hpp"
+#include "support/json_schema.hpp"
 
 namespace hamilcar {
 namespace {
@@ -132,6 +133,7 @@ TEST_P(Pictures, SayTheSameAsJson) {
     s.cones = {{10, 1.5}, {20, -1.5}};
     s.road.patches = {{.start = 5, .end = 8, .friction = 0.2}};
     const auto json = nlohmann::json::parse(scene_json(car_, s));
+    EXPECT_EQ(test::PageSchema().mistake(json, "scene"), "");
     ASSERT_EQ(json["frames"].size(), scene_.frames.size());
     ASSERT_EQ(json["links"].size(), scene_.links.size());
     EXPECT_EQ(json["units"], 1 + car_.trailers.size());
@@ -155,6 +157,37 @@ TEST_P(Pictures, SayTheSameAsJson) {
 
 INSTANTIATE_TEST_SUITE_P(Fleet, Pictures, testing::ValuesIn(test::fleet()),
                          [](const auto& named) { return named.param; });
+
+TEST_P(Pictures, HaveABodyOfItsStyleForEveryUnitThatHoldsItsWheels) {
+    ASSERT_EQ(scene_.bodies.size(), 1 + car_.trailers.size());
+    for (const SceneBody& body : scene_.bodies) EXPECT_TRUE(body.style.has_value()) << body.unit;
+    for (const SceneWheel& wheel : scene_.wheels) {
+        const SceneBody& body = scene_.bodies[unit_of(wheel.frame)];
+        EXPECT_LT(wheel.center[0], body.high[0]) << wheel.name;
+        EXPECT_GT(wheel.center[0], body.low[0]) << wheel.name;
+        EXPECT_GT(wheel.center[2], 0) << wheel.name;
+        EXPECT_LT(wheel.center[2], body.high[2]) << wheel.name;
+    }
+}
+
+// A page finds a channel by its role and by whose it is: two of the same would hide each other.
+TEST_P(Pictures, HaveNoTwoChannelsOfTheSameRole) {
+    std::set<std::pair<io::ChannelRole, std::string>> known;
+    for (const Channel& channel : all_channels(car_)) {
+        if (channel.column.role == io::ChannelRole::none) continue;
+        EXPECT_TRUE(known.emplace(channel.column.role, channel.column.of).second) << channel.column.name;
+    }
+    for (const SceneFrame& frame : scene_.frames) {
+        EXPECT_TRUE(known.contains({io::ChannelRole::pose_qz, frame.name})) << frame.name;
+    }
+    for (const std::string& tire : scene_.tires) {
+        EXPECT_TRUE(known.contains({io::ChannelRole::ground_force_z, tire})) << tire;
+        EXPECT_TRUE(known.contains({io::ChannelRole::vertical_force, tire})) << tire;
+    }
+    for (const SceneWheel& wheel : scene_.wheels) {
+        EXPECT_TRUE(known.contains({io::ChannelRole::wheel_spin, wheel.name})) << wheel.name;
+    }
+}
 
 // A strut is a coil around a tube from the top mount to the carrier, two arms meet in the ball, the tie rod ends on the rack.
 TEST(Picture, OfTheCarShowsItsOwnHardpoints) {

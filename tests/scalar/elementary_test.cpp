@@ -84,7 +84,7 @@ TEST(Elementary, RecordedProgramsComputeTheBitsOfDoubles) {
     const auto same = [&](const auto& f) {
         program::Graph graph;
         const Tracing tracing(graph);
-        graph.output(1, 0, f(Traced<double>::of(graph.input(0, 0))).id());
+        graph.output(1, 0, f(Traced<>::of(graph.input(0, 0))).id());
         const auto executable = program::backends().back().compile(graph, true);
         std::vector<double> x(static_cast<std::size_t>(executable->lanes())), y(x.size());
         program::Frame frame;

@@ -10,8 +10,8 @@
 namespace hamilcar {
 namespace {
 
-using Number = Traced<double>;
-using Pair = Traced<double, 2>;
+using Number = Traced<>;
+using Pair = Traced<2>;
 using program::Op;
 
 class Recording : public testing::Test {

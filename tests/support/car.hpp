@@ -1,4 +1,5 @@
-// The car on the paper's tire and variants of it, for tests that need a whole vehicle.
+// The car on the paper's tire and variants of it, for tests that need a whole vehicle. What instantiates templates is compiled once,
+// in car.cpp, and not in every test.
 #pragma once
 
 #include "hamilcar/block/initial_process.hpp"
@@ -19,27 +20,12 @@ inline VehicleDescription shipped_car() {
 
 // The car without dissipation and smooth: no dampers, no drag, tires that are bilateral
 // vertical springs. Its stops stay; a test keeps the travel inside them.
-inline VehicleDescription conservative_car() {
-    VehicleDescription car = paper_car();
-    for (SuspensionDescription& suspension : car.suspensions) {
-        suspension.dampers[0].damper = {{-1, 1}, {0, 0}};
-        const auto& tire = std::get<LinearTireDescription>(suspension.wheels[0].tire);
-        suspension.wheels[0].tire = SpringTireDescription{tire.radius, tire.rolling_radius, tire.vertical_stiffness};
-    }
-    car.aerodynamics = {};
-    return car;
-}
+VehicleDescription conservative_car();
 
-inline Model<double> make_model(const VehicleDescription& car) {
-    VehicleDescription alone = car;  // a torque at the wheels replaces the power units
-    alone.power_units.clear(), alone.differentials.clear();
-    return {.vehicle = Vehicle<double>(alone), .road = PlaneRoad<double>(0, 0, 1)};
-}
+// On a level road. A torque at the wheels replaces the power units.
+Model<double> make_model(const VehicleDescription& car);
 
-inline Energy<double> energy_of(const Model<double>& model, const State<double>& state, const Input<double>& input) {
-    const auto velocity = velocity_block(model, state, input);
-    return energy(model, state, velocity, momenta_block(model, state, input, velocity));
-}
+Energy<double> energy_of(const Model<double>& model, const State<double>& state, const Input<double>& input);
 
 // A scenario that starts from a given forward speed on the flat, with the inputs left to the caller.
 inline ScenarioDescription scenario(double duration, double forward_speed = 0) {

@@ -14,8 +14,11 @@ public:
     FixedBase(const SuspensionDescription& mechanism, const Vec3<double>& gravity, double step,
               std::string_view method = "rk4")
         : gravity_(gravity), step_(step) {
-        model_.vehicle.suspensions.push_back(make_suspension<double>(mechanism, chassis_size, 0));
-        size_ = chassis_size + suspension().size();
+        VehicleDescription vehicle;
+        vehicle.suspensions = {mechanism};
+        const StateLayout layout(vehicle);
+        model_.vehicle.suspensions.push_back(make_suspension<double>(mechanism, layout.suspension(0), 0));
+        size_ = layout.size();
         integrator_.emplace(*find_method(method), step, size_);
     }
     const Suspension<double>& suspension() const { return model_.vehicle.suspensions[0]; }

@@ -68,8 +68,18 @@ inline BrushDescription brush_tire() {
             .carcass_y = 125e3};
 }
 
+inline DugoffDescription dugoff_tire() {
+    return {.casing = magic_tire().casing,
+            .longitudinal_stiffness = 60e3,
+            .cornering_stiffness = 38e3,
+            .friction = 1,
+            .rolling_resistance = 0.012,
+            .relaxation_x = 0.2,
+            .relaxation_y = 0.3};
+}
+
 inline std::vector<TireDescription> slip_tires() {
-    return {magic_tire(), tmeasy_tire(), fiala_tire(), brush_tire()};
+    return {magic_tire(), tmeasy_tire(), fiala_tire(), brush_tire(), dugoff_tire()};
 }
 
 }  // namespace hamilcar::test

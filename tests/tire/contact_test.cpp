@@ -57,7 +57,7 @@ TEST(ContactFrame, FindsTheLowestPointOfTheDisc) {
     const TangentPlane<double> road = sloping_road();
     for (const auto& [center, axis] : wheels()) {
         const Vec3<double> a = axis.unitOrthogonal(), b = axis.cross(a);
-        const auto height = [&](double turn) {
+        const auto height = [&, center = center](double turn) {
             return road.normal.dot(center + radius * (std::cos(turn) * a + std::sin(turn) * b)) - road.offset;
         };
         constexpr int points = 3600;

@@ -2,6 +2,7 @@
 // deflections.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "hamilcar/tire/list.hpp"
 #include "hamilcar/tire/mirrored.hpp"
 #include "support/paths.hpp"
+#include "support/tires.hpp"
 #include "tire/magic_sets.hpp"
 
 namespace hamilcar::test {
@@ -18,6 +20,10 @@ struct SlipModel {
     TireDescription description;
     double load;    // nominal [N]
     double radius;  // [m]
+    // Measured bounds: of the combined force over the friction ellipse, and of the work over that exchanged which a closed path at a
+    // standstill can release, while the contact sticks and while it slides in turn.
+    double ellipse;
+    std::array<double, 2> released;
     friend void PrintTo(const SlipModel& model, std::ostream* out) { *out << model.name; }
 };
 
@@ -78,9 +84,13 @@ inline std::vector<SlipModel> slip_models() {
     std::mt19937 source(11);
     const auto random = [&](MagicVersion version) { return symmetric(random_magic_set(source, version)); };
     const auto old = random(MagicVersion::v52), late = random(MagicVersion::v61);
-    return {{"shipped", shipped_set(), 3059, 0.2948}, {"magic_52", old, 4000, 0.32},
-            {"magic_61", late, 4000, 0.32},           {"tmeasy", truck_tire(), 8562.8266, 0.4699},
-            {"fiala", worked_fiala(), 4000, 0.32},    {"brush", worked_brush(), 4000, 0.32}};
+    return {{"shipped", shipped_set(), 3059, 0.2948, 1.03, {0.035, 0}},
+            {"magic_52", old, 4000, 0.32, 1.02, {0.22, 0.04}},
+            {"magic_61", late, 4000, 0.32, 1.21, {0.015, 0}},
+            {"tmeasy", truck_tire(), 8562.8266, 0.4699, 1.02, {0.012, 0}},
+            {"fiala", worked_fiala(), 4000, 0.32, 1, {2e-4, 0}},
+            {"brush", worked_brush(), 4000, 0.32, 1, {0.032, 0.01}},
+            {"dugoff", dugoff_tire(), 3000, 0.2948, 1, {0.046, 0}}};
 }
 
 inline TireForce<double> force(const Tire<double>& tire, const TireContact<double>& c) {

@@ -16,7 +16,7 @@
 namespace hamilcar {
 namespace {
 
-using Recorded = Traced<double>;
+using Recorded = Traced<>;
 
 // Two cars of one topology and with nothing else in common, for the two lanes.
 struct Cars {
@@ -39,10 +39,17 @@ VehicleDescription stretched(VehicleDescription car) {
 
 std::vector<Cars> cars() {
     const VehicleDescription shipped = test::paper_car(), conservative = test::conservative_car();
-    VehicleDescription mixed = shipped;  // a tire of another model at each suspension
-    for (std::size_t i = 0; i < mixed.suspensions.size(); ++i)
-        mixed.suspensions[i].wheels[0].tire = test::slip_tires()[i];
-    return {{shipped, stretched(shipped)}, {conservative, stretched(conservative)}, {mixed, stretched(mixed)}};
+    std::vector<Cars> out{{shipped, stretched(shipped)}, {conservative, stretched(conservative)}};
+    const std::vector<TireDescription> tires = test::slip_tires();
+    const std::size_t wheels = shipped.suspensions.size();
+    for (std::size_t first = 0; first < tires.size(); first += wheels) {  // a tire of another model at each suspension
+        VehicleDescription mixed = shipped;
+        for (std::size_t i = 0; i < wheels; ++i) {
+            mixed.suspensions[i].wheels[0].tire = tires[(first + i) % tires.size()];
+        }
+        out.push_back({mixed, stretched(mixed)});
+    }
+    return out;
 }
 
 // The results of a model, number by number.

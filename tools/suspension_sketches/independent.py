@@ -73,6 +73,26 @@ def h_arm():
     return s
 
 
+def integral_link():
+    axle, radius = page_axle("integral_link")
+    p, s = points_of(axle), Sketch("Integral link", ["front", "top"], 560)
+    center = s.wheel(axle["wheel"], radius)
+    ends = [p[f"{name}_carrier_m"] for name in ("integral_link", "camber_link", "toe_link")]
+    s.body([p["arm_ball_m"], *ends, center], "carrier")
+    s.body([p["arm_front_m"], p["arm_rear_m"], p["arm_ball_m"], p["integral_link_arm_m"]], "lower arm", "arm")
+    s.axis(p["arm_rear_m"], p["arm_front_m"], "hinge on the chassis")
+    s.hinge(p["arm_front_m"], True)
+    s.hinge(p["arm_rear_m"], True)
+    s.ball(p["arm_ball_m"])
+    s.bar(p["integral_link_arm_m"], p["integral_link_carrier_m"], "integral link", "rod")
+    s.ball(p["integral_link_arm_m"])
+    s.ball(p["integral_link_carrier_m"])
+    s.link(p["camber_link_body_m"], p["camber_link_carrier_m"], "camber link")
+    s.link(p["toe_link_body_m"], p["toe_link_carrier_m"], "toe link")
+    add_spring(s, axle)
+    return s
+
+
 def double_wishbone():
     axle, radius = vehicle_axle("formula.toml", "front")
     p, s = points_of(axle), Sketch("Double wishbone with push rod", ["front", "side"], 690)

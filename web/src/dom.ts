@@ -6,9 +6,11 @@ type Value = string | number | boolean | null | undefined; // true: there, but e
 export type Attributes = Handlers & { [name: string]: Value | ((event: never) => void) };
 export type Child = Node | string | null;
 
-function fill<E extends Element>(made: E, attributes: Attributes, children: readonly Child[]): E {
+function fill<E extends HTMLElement | SVGElement>(made: E, attributes: Attributes, children: readonly Child[]): E {
   for (const [name, value] of Object.entries(attributes)) {
     if (typeof value === "function") made.addEventListener(name.slice(2), value as (event: Event) => void);
+    // The page's policy forbids styles that come as text of attributes.
+    else if (name === "style" && typeof value === "string") made.style.cssText = value;
     else if (value === true) made.setAttribute(name, "");
     else if (value !== false && value !== null && value !== undefined) made.setAttribute(name, String(value));
   }

@@ -12,6 +12,9 @@ export async function openBrowser(): Promise<Browser> {
   return chromium.launch({ executablePath, args: ["--no-sandbox", ...quiet, ...drawing] });
 }
 
+// No test waits for the clock but to give up: an event that has not come by then will not come on any machine.
+export const patience = 180_000; // [ms]
+
 export interface WatchedPage {
   readonly page: Page;
   complaints(): readonly string[]; // errors and warnings of the page's own so far
@@ -22,6 +25,7 @@ const ofTheMachine = /GPU stall|swiftshader|software WebGL|GroupMarkerNotSet/i;
 
 export async function openPage(context: BrowserContext | Browser, url: string): Promise<WatchedPage> {
   const page = await context.newPage();
+  page.setDefaultTimeout(patience);
   const complaints: string[] = [];
   page.on("pageerror", (error) => complaints.push(error.message));
   page.on("console", (message) => {
@@ -29,6 +33,6 @@ export async function openPage(context: BrowserContext | Browser, url: string): 
     if (bad && !ofTheMachine.test(message.text())) complaints.push(message.text());
   });
   await page.goto(url);
-  await page.waitForSelector("html[data-ready=true]", { state: "attached", timeout: 60000 });
+  await page.waitForSelector("html[data-ready=true]", { state: "attached" });
   return { page, complaints: () => complaints };
 }

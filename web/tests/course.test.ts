@@ -2,10 +2,14 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import type { CarMessage, ClientMessage, CourseResult, Driveline, InputMessage, ServerMessage } from "../src/live/protocol";
-import { openBrowser } from "./browser";
+import type {
+  CarMessage, Channel, ChannelRole, ClientMessage, CourseResult, Driveline, InputMessage, ServerMessage,
+} from "../src/contract";
+import { openBrowser, patience } from "./browser";
 import { temporaryFolder } from "./program";
 import { FakeServer, shell } from "./shell";
+
+declare const window: { hamilcar?: { textsTime(): number } };
 
 const folder = temporaryFolder();
 let browser: Browser;
@@ -20,17 +24,27 @@ after(async () => {
   folder.remove();
 });
 
-const motion = ["x", "y", "z", "qw", "qx", "qy", "qz"].map((end) => `chassis.pose.${end}`);
-const engine = ["speed", "torque", "throttle", "gear", "clutch_torque"].map((end) => `engine.${end}`);
-const ways = ["chassis.longitudinal_velocity", "chassis.lateral_velocity"];
-const tire = ["vertical_force", "slip_angle"].map((end) => `front_left.tire.${end}`);
-const names = [...motion, ...ways, "input.steering_torque", ...engine, ...tire];
+// What a channel is stands in its role; names are only read.
+const channel = (name: string, role: ChannelRole, of = "", unit = "1"): Channel => ({ name, unit, description: "", role, of });
+const channels: readonly Channel[] = [
+  ...(["x", "y", "z", "qw", "qx", "qy", "qz"] as const).map((end) => channel(`chassis.pose.${end}`, `pose_${end}`, "chassis")),
+  channel("chassis.longitudinal_velocity", "longitudinal_velocity"),
+  channel("chassis.lateral_velocity", "lateral_velocity"),
+  channel("input.steering_torque", "steering_torque", "", "N m"),
+  channel("engine.speed", "rotor_speed", "engine", "rpm"),
+  channel("engine.torque", "rotor_torque", "engine", "N m"),
+  channel("engine.throttle", "unit_throttle", "engine"),
+  channel("engine.gear", "gear", "engine"),
+  channel("engine.clutch_torque", "clutch_torque", "engine", "N m"),
+  channel("front_left.tire.vertical_force", "vertical_force", "front_left.tire", "N"),
+  channel("front_left.tire.slip_angle", "slip_angle", "front_left.tire", "deg"),
+];
 const driveline: Driveline = {
-  units: [{ name: "engine", idle: 800, most: 6400 }], gears: 5, reverse: true, clutch: true, automatic: false,
+  units: [{ name: "engine", idle: 800, max: 6400 }], gears: 5, reverse: true, clutch: true, automatic: false,
 };
 const car: CarMessage = {
   type: "car", car: 1, vehicle: "a", road: "maneuver:double_lane_change", friction: 1, steering_lock_deg: 500,
-  channels: names.map((name) => ({ name, unit: "1", description: "" })),
+  gravity_m_per_s2: 9.81, channels,
   scene: {
     vehicle: "a car", units: 1, frames: [{ name: "chassis", unit: 0 }], links: [],
     wheels: [{ name: "front_left", frame: 0, center: [1.3, 0.7, 0.3], axis: [0, 1, 0], radius: 0.3, width: 0.2, tires: [0] }],
@@ -49,8 +63,11 @@ const status: ServerMessage = {
   compute_us: 10, worst_overrun_ms: 0, overruns: 0, recording: "", recorded_s: 0, lost_rows: 0, lost_frames: 0,
 };
 const hello: ServerMessage = {
-  type: "hello", generator: "test", page: 1, vehicles: [{ id: "a", name: "A" }],
-  roads: [{ id: "level", name: "Level" }, { id: "maneuver:double_lane_change", name: "Double lane change" }],
+  type: "hello", generator: "test", page: 1, vehicles: [{ id: "a", name: "A", course: false }],
+  roads: [
+    { id: "level", name: "Level", course: false },
+    { id: "maneuver:double_lane_change", name: "Double lane change", course: true },
+  ],
 };
 const result: CourseResult = {
   type: "result", course: "double_lane_change", finished: true, passed: false, time: 12.345,
@@ -67,25 +84,29 @@ const still = { "chassis.pose.qw": 1, "engine.speed": 2345, "engine.torque": 100
 
 async function open(of: CarMessage): Promise<{ page: Page; server: FakeServer; complaints: string[] }> {
   const page = await browser.newPage();
+  page.setDefaultTimeout(patience);
   const complaints: string[] = [];
   page.on("pageerror", (error) => complaints.push(error.message));
   const server = new FakeServer([hello, of, status]);
   await server.serve(page, html);
   await page.goto(server.url);
-  await page.waitForFunction(() => document.body.innerText.includes("You drive"), undefined, { timeout: 60000 });
+  await page.waitForFunction(() => document.body.innerText.includes("You drive"), undefined);
   server.show(of, 1, still);
-  await page.waitForSelector("html[data-ready=true]", { state: "attached", timeout: 60000 });
-  await page.waitForTimeout(200);
+  await page.waitForSelector("html[data-ready=true]", { state: "attached" });
+  await showsTexts(page, 1);
   return { page, server, complaints };
 }
 
+// The instruments show the frame of that time.
+const showsTexts = (page: Page, time: number) =>
+  page.waitForFunction((shown) => window.hamilcar?.textsTime() === shown, time);
+
 const isInput = (message: ClientMessage): message is InputMessage => message.type === "input";
-const last = (server: FakeServer): InputMessage | undefined => server.heard.filter(isInput).at(-1);
 async function wants(page: Page, server: FakeServer, key: string, selector: string, gear: number): Promise<void> {
   await page.keyboard.press(key);
-  await page.waitForTimeout(50);
-  const { selector: found, gear: wanted, reverse } = last(server) ?? {};
-  assert.deepEqual([found, wanted, reverse], [selector, gear, selector === "reverse"], `after ${key}`);
+  const reverse = selector === "reverse";
+  await server.hears(`${selector} ${gear} after ${key}`, (message) =>
+    isInput(message) && message.selector === selector && message.gear === gear && message.reverse === reverse);
 }
 
 test("keys shift, choose and hold the clutch", async () => {
@@ -100,18 +121,18 @@ test("keys shift, choose and hold the clutch", async () => {
   await wants(page, server, "e", "neutral", 1);
   await wants(page, server, "e", "manual", 1);
   await page.keyboard.down("c");
-  await page.waitForTimeout(50);
-  assert.equal(last(server)?.clutch, 1);
+  await server.hears("a pressed clutch", (message) => isInput(message) && message.clutch === 1);
   await page.keyboard.up("c");
-  await page.waitForTimeout(50);
-  assert.equal(last(server)?.clutch, 0);
+  await server.hears("a clutch let go", (message) => isInput(message) && message.clutch === 0);
   await wants(page, server, "g", "neutral", 1);
   server.show(car, 2, { ...still, "chassis.longitudinal_velocity": 8 });
-  await page.waitForTimeout(200);
-  await wants(page, server, "q", "neutral", 1); // no reverse while it rolls ahead
+  await showsTexts(page, 2);
+  await page.keyboard.press("q"); // no reverse while it rolls ahead
   await page.getByText("Reverse goes in at a standstill.").waitFor();
+  await server.hears("neutral still", (message) => isInput(message) && message.selector === "neutral");
+  assert.ok(!server.heard.slice(-3).some((message) => isInput(message) && message.reverse));
   await page.getByRole("button", { name: /^Selector: neutral/ }).click();
-  assert.equal(last(server)?.selector, "drive");
+  await server.hears("drive", (message) => isInput(message) && message.selector === "drive");
   await page.close();
   assert.deepEqual(complaints, []);
 });
@@ -130,9 +151,8 @@ test("instruments show what the car has", async () => {
   const others = plain.page.getByRole("region", { name: "Dashboard" });
   for (const text of ["rpm", "steering torque"]) assert.equal(await others.getByText(text).isVisible(), false, text);
   await plain.page.keyboard.press("r");
-  await plain.page.waitForTimeout(50);
-  const sent = last(plain.server);
-  assert.deepEqual([sent?.reverse, "selector" in (sent ?? {}), "clutch" in (sent ?? {})], [true, false, false]);
+  const sent = await plain.server.hears("reverse", (message) => isInput(message) && message.reverse);
+  assert.deepEqual(["selector" in sent, "clutch" in sent], [false, false]);
   await plain.page.close();
   assert.deepEqual([...complaints, ...plain.complaints], []);
 });
@@ -142,7 +162,7 @@ test("a wheel that stands has no angle of slip", async () => {
   const cell = page.getByRole("region", { name: "Wheels" }).getByRole("row", { name: "front left" }).getByRole("cell").nth(2);
   const slipping = { ...still, "front_left.tire.vertical_force": 3000, "front_left.tire.slip_angle": 2.5 };
   server.show(car, 2, { ...slipping, "chassis.longitudinal_velocity": 0.3 });
-  await page.waitForTimeout(300);
+  await showsTexts(page, 2);
   assert.equal(await cell.innerText(), "–");
   server.show(car, 3, { ...slipping, "chassis.longitudinal_velocity": 0.3, "chassis.lateral_velocity": 0.5 });
   await cell.getByText("2.5").waitFor();
@@ -151,7 +171,7 @@ test("a wheel that stands has no angle of slip", async () => {
 });
 
 test("the last number of the tachometer is whole", async () => {
-  const units = [{ name: "engine", idle: 800, most: 4720 }]; // the scale ends right behind 5000
+  const units = [{ name: "engine", idle: 800, max: 4720 }]; // the scale ends right behind 5000
   const { page } = await open({ ...car, driveline: { ...driveline, units } });
   const cut = await page.$$eval(".scale .tick", (ticks) => {
     const last = ticks.at(-1) as HTMLElement;
@@ -186,7 +206,7 @@ test("a course is chosen from the menu, told, and ends with its result", async (
   assert.match(text, /peak sideslip\s+–/);
   assert.match((await page.locator("[aria-live=polite]").textContent()) ?? "", /not passed.*no cone is hit: not passed/);
   await card.getByRole("button", { name: "Again" }).click();
-  assert.ok(server.heard.some(({ type }) => type === "reset"));
+  await server.hears("a reset", ({ type }) => type === "reset");
   assert.equal(await card.isVisible(), false);
 
   const untouched = { criterion: "no cone is hit", passed: null, found: "" };

@@ -5,11 +5,14 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
 import WebSocket from "ws";
-import { openBrowser, openPage } from "./browser";
-import { hamilcar, repository, startDrive, temporaryFolder, type Drive } from "./program";
+import type { Status } from "../src/contract";
+import { openBrowser, openPage, patience } from "./browser";
+import { hamilcar, repository, startDrive, temporaryFolder, visit, type Drive, type Visit } from "./program";
 
 interface Hooks {
-  latencies(): number[];
+  felt(): number;
+  statuses(): number;
+  status(): Status | null;
   speed(): number;
   time(): number;
   role(): string;
@@ -33,20 +36,24 @@ after(async () => {
   folder.remove();
 });
 
-const until = (page: Page, condition: () => boolean) => page.waitForFunction(condition, undefined, { timeout: 60000 });
+const until = (page: Page, condition: () => boolean) => page.waitForFunction(condition);
+
+// Waits for two statuses more: the second of them was made after this was called.
+async function newStatus(page: Page): Promise<void> {
+  const before = await page.evaluate(() => window.hamilcar.statuses());
+  await page.waitForFunction((count) => window.hamilcar.statuses() > count + 1, before);
+}
 
 // How a WebSocket to a server ends: opened, or refused with an HTTP status.
-function knock(url: URL, token: string, origin: string, host?: string): Promise<number> {
-  const address = `ws://${url.host}/live?token=${token}`;
-  const socket = new WebSocket(address, { origin, headers: host === undefined ? {} : { Host: host } });
+function knock({ link, cookie }: Visit, origin: string, host?: string): Promise<number> {
+  const headers = { Cookie: cookie, ...(host === undefined ? {} : { Host: host }) };
+  const socket = new WebSocket(link, { origin, headers });
   return new Promise((done, failed) => {
     socket.once("open", () => (socket.close(), done(101)));
     socket.once("unexpected-response", (_, response) => (socket.terminate(), done(response.statusCode ?? 0)));
     socket.once("error", failed);
   });
 }
-
-const token = (url: URL): string => url.searchParams.get("token") ?? "";
 
 test("a page drives, turns, stops and starts again; a second one watches", async () => {
   const { page, complaints } = await openPage(browser, drive.url.href);
@@ -65,16 +72,16 @@ test("a page drives, turns, stops and starts again; a second one watches", async
   await until(page, () => Math.abs(window.hamilcar.speed()) < 0.05);
   await until(second.page, () => Math.abs(window.hamilcar.speed()) < 0.1);
   await page.keyboard.up("ArrowDown");
-  const latencies = await page.evaluate(() => window.hamilcar.latencies());
-  assert.ok(latencies.length > 0, "input to picture is measured");
+  await until(page, () => window.hamilcar.felt() > 0); // input to picture is measured
   await page.keyboard.press("Enter");
   await until(page, () => Math.abs(window.hamilcar.row("chassis.angle.yaw")) < 1);
 
   await page.close(); // the driver leaves, the car stands still until somebody takes the wheel
   await until(second.page, () => window.hamilcar.role() === "nobody");
-  const stood = await second.page.evaluate(() => window.hamilcar.time());
-  await second.page.waitForTimeout(300);
-  assert.equal(await second.page.evaluate(() => window.hamilcar.time()), stood);
+  await newStatus(second.page); // the last one before may be older than the leaving
+  const stood = await second.page.evaluate(() => window.hamilcar.status()?.time);
+  await newStatus(second.page);
+  assert.equal(await second.page.evaluate(() => window.hamilcar.status()?.time), stood);
   await second.page.getByRole("button", { name: /take the wheel/i }).click();
   await until(second.page, () => window.hamilcar.role() === "driver");
   await second.page.close();
@@ -90,12 +97,10 @@ test("a recording is a result that view opens", async () => {
   await page.keyboard.up("ArrowUp");
   const file = await page.waitForFunction(
     () => /[\w./-]+\.nc/.exec(document.body.innerText)?.[0] ?? false,
-    undefined,
-    { timeout: 20000 },
   );
   const path = String(await file.jsonValue());
   await page.getByRole("button", { name: /record/i }).click();
-  await page.waitForTimeout(1500);
+  await until(page, () => window.hamilcar.status()?.recording === ""); // closed
   await page.close();
   assert.ok(existsSync(join(folder.path, path)), path);
   hamilcar(folder.path, "view", path, "-o", "drive.html");
@@ -108,24 +113,57 @@ test("strangers stay outside", async () => {
   const own = `http://${drive.url.host}`;
   const status = async (path: string, headers: Record<string, string> = {}) =>
     (await fetch(new URL(path, drive.url), { headers })).status;
+  const client = await visit(drive.url);
   assert.equal(await status(drive.url.href), 200);
+  assert.equal(await status(client.page.href, { Cookie: client.cookie }), 200);
+  assert.equal(await status(client.page.href), 403);
   assert.equal(await status("/"), 403);
   assert.equal(await status("/?token=0123456789abcdef0123456789abcdef"), 403);
-  assert.equal(await status(`/elsewhere?token=${token(drive.url)}`), 404);
-  assert.equal(await knock(drive.url, token(drive.url), own), 101);
-  assert.equal(await knock(drive.url, token(drive.url), "http://evil.example"), 403);
-  assert.equal(await knock(drive.url, token(drive.url), `${own}.evil.example`), 403);
-  assert.equal(await knock(drive.url, "0".repeat(32), own), 403);
-  assert.equal(await knock(drive.url, token(drive.url), own, "evil.example"), 403);
+  assert.equal(await status(`/elsewhere${drive.url.search}`), 404);
+  assert.equal(await knock(client, own), 101);
+  assert.equal(await knock(client, "http://evil.example"), 403);
+  assert.equal(await knock(client, `${own}.evil.example`), 403);
+  assert.equal(await knock({ ...client, cookie: `hamilcar=${"0".repeat(32)}` }, own), 403);
+  assert.equal(await knock(client, own, "evil.example"), 403);
+});
+
+test("the address that opens the page is not the page's own; reloading and further pages need it no more", async () => {
+  const context = await browser.newContext();
+  const { page, complaints } = await openPage(context, drive.url.href);
+  const token = drive.url.searchParams.get("token") ?? "";
+  assert.ok(token.length > 20 && !page.url().includes(token), page.url());
+  assert.equal(await page.evaluate(() => document.cookie), ""); // no script reads it
+  await page.reload();
+  await until(page, () => window.hamilcar.state() === "open");
+  const again = await openPage(context, page.url());
+  await until(again.page, () => window.hamilcar.state() === "open");
+  await page.goBack();
+  assert.equal(page.url(), "about:blank"); // the entrance has been replaced
+  await context.close();
+  assert.deepEqual([...complaints(), ...again.complaints()], []);
+});
+
+test("the page obeys no script but its own", async () => {
+  const { page, complaints } = await openPage(browser, drive.url.href);
+  await page.evaluate(() => {
+    const stranger = document.createElement("script");
+    stranger.textContent = "document.title = 'obeyed'";
+    document.body.append(stranger);
+    document.body.setAttribute("style", "opacity: 0.5");
+  });
+  assert.notEqual(await page.title(), "obeyed");
+  assert.equal(await page.evaluate(() => getComputedStyle(document.body).opacity), "1");
+  assert.equal(complaints().filter((complaint) => complaint.includes("Content Security Policy")).length, complaints().length);
+  await page.close();
 });
 
 test("nonsense and too much of it disturb nobody", async () => {
   const { page, complaints } = await openPage(browser, drive.url.href);
   await until(page, () => window.hamilcar.role() === "driver");
+  const { link, cookie } = await visit(drive.url);
   const rude = (messages: readonly (string | Buffer)[]) =>
     new Promise<number>((done) => {
-      const address = `ws://${drive.url.host}/live?token=${token(drive.url)}`;
-      const socket = new WebSocket(address, { origin: `http://${drive.url.host}` });
+      const socket = new WebSocket(link, { origin: `http://${drive.url.host}`, headers: { Cookie: cookie } });
       socket.on("error", () => undefined);
       socket.once("open", () => messages.forEach((message) => socket.send(message)));
       socket.once("close", done);
@@ -136,7 +174,7 @@ test("nonsense and too much of it disturb nobody", async () => {
   assert.ok([1003, 1007, 1008].includes(await rude(Array.from({ length: 30 }, () => Buffer.from([0, 255, 1])))));
   const before = await page.evaluate(() => window.hamilcar.time());
   await until(page, () => window.hamilcar.state() === "open");
-  await page.waitForFunction((time) => window.hamilcar.time() > time, before, { timeout: 20000 });
+  await page.waitForFunction((time) => window.hamilcar.time() > time, before);
   await page.close();
   assert.deepEqual(complaints(), []);
 });
@@ -144,18 +182,19 @@ test("nonsense and too much of it disturb nobody", async () => {
 test("a lost link is told and comes back", async () => {
   const other = await startDrive(folder.path, join(repository, "vehicles/formula.toml"));
   const page = await (await browser.newContext()).newPage();
+  page.setDefaultTimeout(patience);
   await page.routeWebSocket(/live/, (route) => {
     const server = route.connectToServer();
     page.once("dialog", () => undefined);
     (globalThis as { cut?: () => void }).cut = () => (server.close(), route.close());
   });
   await page.goto(other.url.href);
-  await page.waitForSelector("html[data-ready=true]", { state: "attached", timeout: 60000 });
+  await page.waitForSelector("html[data-ready=true]", { state: "attached" });
   (globalThis as { cut?: () => void }).cut?.();
   await until(page, () => window.hamilcar.state() !== "open");
   await until(page, () => window.hamilcar.state() === "open" && window.hamilcar.role() === "driver");
   assert.equal(await other.stop(), 0);
-  await page.getByText(/has ended|connection lost/i).first().waitFor({ timeout: 30000 });
+  await page.getByText(/has ended|connection lost/i).first().waitFor();
 });
 
 test("what cannot be driven is told before a server is there", () => {

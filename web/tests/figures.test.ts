@@ -3,8 +3,8 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import type { Axis, Block, Cell, Run, Scene } from "../src/document";
-import { lowerPowers, raisePowers, reading, tickTexts } from "../src/report/numbers";
+import type { Axis, Block, Cell, ChannelRole, RecordedChannel, Run, Scene } from "../src/contract";
+import { raisePowers, reading, tickTexts, withoutRoundOff } from "../src/report/numbers";
 import { openBrowser, openPage } from "./browser";
 import { temporaryFolder } from "./program";
 import { Columns, shell, writeReport } from "./shell";
@@ -29,7 +29,7 @@ test("readings, ticks and units", () => {
   assert.deepEqual(tickTexts([0.999998, 1, 1.000002], 2e-6), ["0.999998", "1.000000", "1.000002"]);
   assert.deepEqual(tickTexts([0, 1e-6], 1e-6), ["0", "10⁻⁶"]);
   assert.equal(raisePowers("(m/s^2)^2/Hz, kg m^3, 10^2, m^20"), "(m/s²)²/Hz, kg m³, 10^2, m^20");
-  assert.equal(lowerPowers("m/s²"), "m/s^2");
+  assert.equal(raisePowers("run^2.nc, v^2, N s^2/m^2"), "run^2.nc, v^2, N s²/m²");
 });
 
 async function show(name: string, columns: Columns, blocks: readonly Block[], runs: readonly Run[] = []): Promise<Page> {
@@ -64,6 +64,25 @@ test("figures keep their digits beside others of another unit", async () => {
   assert.deepEqual(await textsOf(page, table("Two cars")), ["12.346", "0.500", "0.25", "–", "1.216", "0.126"]);
   assert.deepEqual(await textsOf(page, table("Column")), ["12.35", "1.25"]);
   assert.equal(await page.getByText("m/s²").count(), 1);
+  await page.close();
+});
+
+test("what is nothing but round-off is zero, and what is small is not", async () => {
+  assert.equal(withoutRoundOff(-4.9e-17, 3e-16), 0);
+  assert.equal(withoutRoundOff(4.9e-9, 3e5), 0);
+  assert.equal(withoutRoundOff(2e-12, 1), 2e-12);
+  assert.equal(withoutRoundOff(2e-7, 3e-7), 2e-7);
+  const columns = new Columns();
+  const described = { unit: "m/s", description: "" };
+  const channels: RecordedChannel[] = [
+    { ...described, name: "time", column: columns.add([0, 1]) },
+    {
+      ...described, name: "ahead", column: columns.add([1e-15, 1e-15]),
+      role: "longitudinal_velocity", of: "", display: { unit: "km/h", factor: 3.6 },
+    },
+  ];
+  const page = await show("round", columns, [{ kind: "replay" }], [{ name: "still", file: "", scene: null, tiles: [], channels }]);
+  assert.match((await textsOf(page, ".replay-readout"))[0] ?? "", /ahead\s*\[km\/h\]\s*0$/);
   await page.close();
 });
 
@@ -115,21 +134,21 @@ const scene: Scene = {
   road: { name: "level", grade: 0, bank: 0, friction: 1, uneven: false, patches: [], cones: [] },
 };
 
-test("a film says what is below it, and on a narrow page shows names when asked", async () => {
+test("a replay says what is below it, and on a narrow page shows names when asked", async () => {
   const columns = new Columns();
-  const channel = (name: string, values: readonly number[]) =>
-    ({ name, unit: "m/s^2", description: "", column: columns.add(values) });
-  const pose = ["x", "y", "z", "qw", "qx", "qy", "qz"].map((end) => `chassis.pose.${end}`);
-  const shown = ["chassis.longitudinal_velocity", "chassis.lateral_acceleration", "chassis.rate.yaw"];
+  const channel = (name: string, values: readonly number[], role?: ChannelRole, of = "") =>
+    ({ name, unit: "m/s^2", description: "", ...(role ? { role, of } : {}), column: columns.add(values) });
+  const pose = (["x", "y", "z", "qw", "qx", "qy", "qz"] as const).map((end) => `pose_${end}` as const);
+  const shown = ["longitudinal_velocity", "lateral_acceleration", "yaw_rate"] as const;
   const runOf = (i: number): Run => ({
     name: `a run with a long name, number ${i}`, file: "", scene, tiles: [],
     channels: [
       channel("time", [0, 1, 2]),
-      ...pose.map((name) => channel(name, name.endsWith("qw") ? [1, 1, 1] : [0, 0, 0])),
-      ...shown.map((name) => channel(name, [-4.9e-17, 3, i])),
+      ...pose.map((role) => channel(`chassis.${role}`, role === "pose_qw" ? [1, 1, 1] : [0, 0, 0], role, "chassis")),
+      ...shown.map((role) => channel(`chassis.${role}`, [-4.9e-17, 3, i], role)),
     ],
   });
-  const page = await show("film", columns, [{ kind: "replay" }], [0, 1, 2, 3, 4].map(runOf));
+  const page = await show("replay", columns, [{ kind: "replay" }], [0, 1, 2, 3, 4].map(runOf));
   await page.setViewportSize({ width: 1280, height: 620 });
   const side = page.locator(".replay-side");
   await page.waitForFunction(() => document.querySelector(".replay-side")?.classList.contains("more"));

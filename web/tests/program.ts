@@ -43,3 +43,18 @@ export async function startDrive(folder: string, ...words: string[]): Promise<Dr
     },
   };
 }
+
+// What a browser knows after it has opened the printed address: where the page is, and the cookie that opens it.
+export interface Visit {
+  readonly page: URL;
+  readonly link: URL;
+  readonly cookie: string;
+}
+
+export async function visit(url: URL): Promise<Visit> {
+  const [cookie = "", path = ""] = ((await fetch(url)).headers.get("set-cookie") ?? "").split(/; (?:Path=)?/);
+  const page = new URL(path, url);
+  const link = new URL("live", page);
+  link.protocol = "ws:";
+  return { page, link, cookie };
+}

@@ -59,12 +59,12 @@ test("the report of a run shows its values at a time", async () => {
   assert.deepEqual(complaints(), []);
 });
 
-test("a film plays, stops at its end and goes by keys", async () => {
+test("a replay plays, stops at its end and goes by keys", async () => {
   const { page, complaints } = await openPage(browser, address("step/report.html"));
   await page.evaluate(() => window.hamilcar.seek(1));
   await page.keyboard.press("Space");
   assert.equal(await page.evaluate(() => window.hamilcar.playing()), true);
-  await page.waitForFunction(() => window.hamilcar.time() > 1.3, undefined, { timeout: 30000 });
+  await page.waitForFunction(() => window.hamilcar.time() > 1.3);
   await page.keyboard.press("Space");
   assert.equal(await page.evaluate(() => window.hamilcar.playing()), false);
   const stopped = await page.evaluate(() => window.hamilcar.time());
@@ -88,6 +88,6 @@ test("two runs stand beside each other", async () => {
     assert.ok(Math.abs(Number(await cell.getAttribute("data-value")) - expected) < 1e-9);
   }
   await page.keyboard.press("g");
-  assert.match(await page.locator("table caption").allInnerTexts().then((texts) => texts.join()), /least and largest/i);
+  assert.match(await page.locator("table caption").allInnerTexts().then((texts) => texts.join()), /smallest and largest/i);
   assert.deepEqual(complaints(), []);
 });

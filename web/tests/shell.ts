@@ -2,9 +2,10 @@
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page, WebSocketRoute } from "playwright-core";
-import type { ColumnReference, PageDocument } from "../src/document";
-import { frameKind, headerBytes } from "../src/live/protocol";
-import type { CarMessage, ClientMessage, ServerMessage } from "../src/live/protocol";
+import type { ColumnReference, PageDocument } from "../src/contract";
+import { frameHeader, frameKind } from "../src/contract";
+import type { CarMessage, ClientMessage, ServerMessage } from "../src/contract";
+import { patience } from "./browser";
 import { hamilcar, repository } from "./program";
 
 // HAMILCAR_PAGE, as CMake knows it, or what stands in the program.
@@ -45,6 +46,8 @@ export function writeReport(path: string, page: string, document: PageDocument, 
 export class FakeServer {
   readonly url = "http://hamilcar.test/?token=0";
   readonly heard: ClientMessage[] = [];
+  private listening: (() => void) | null = null; // to what is heard next
+  private asked = 0; // messages that were looked at
   private socket: WebSocketRoute | null = null;
 
   constructor(private readonly greeting: readonly ServerMessage[]) {}
@@ -53,8 +56,28 @@ export class FakeServer {
     await page.route("http://hamilcar.test/**", (route) => route.fulfill({ contentType: "text/html", body: shell }));
     await page.routeWebSocket(/\/live/, (socket) => {
       this.socket = socket;
-      socket.onMessage((text) => this.heard.push(JSON.parse(String(text)) as ClientMessage));
+      socket.onMessage((text) => {
+        this.heard.push(JSON.parse(String(text)) as ClientMessage);
+        this.listening?.();
+      });
       this.greeting.forEach((message) => this.say(message));
+    });
+  }
+
+  // The next message that passes, none of those that were looked at before.
+  hears(what: string, passes: (message: ClientMessage) => boolean): Promise<ClientMessage> {
+    return new Promise((found, failed) => {
+      const giveUp = setTimeout(() => failed(new Error(`the page has not sent ${what}`)), patience);
+      this.listening = () => {
+        while (this.asked < this.heard.length) {
+          const message = this.heard[this.asked++];
+          if (message === undefined || !passes(message)) continue;
+          clearTimeout(giveUp);
+          this.listening = null;
+          return found(message);
+        }
+      };
+      this.listening();
     });
   }
 
@@ -63,11 +86,11 @@ export class FakeServer {
   }
 
   show(car: CarMessage, time: number, values: Readonly<Record<string, number>>): void {
-    const bytes = Buffer.alloc(headerBytes.frame + 4 * car.channels.length);
+    const bytes = Buffer.alloc(frameHeader + 4 * car.channels.length);
     bytes.writeUInt32LE(frameKind, 0);
     bytes.writeUInt32LE(car.car, 4);
     bytes.writeDoubleLE(time, 8);
-    car.channels.forEach(({ name }, i) => bytes.writeFloatLE(values[name] ?? 0, headerBytes.frame + 4 * i));
+    car.channels.forEach(({ name }, i) => bytes.writeFloatLE(values[name] ?? 0, frameHeader + 4 * i));
     this.socket?.send(bytes);
   }
 }

@@ -3,12 +3,13 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import WebSocket from "ws";
-import type { ServerMessage, Status } from "../src/live/protocol";
-import { repository, startDrive, temporaryFolder } from "../tests/program";
+import type { ServerMessage, Status } from "../src/contract";
+import { repository, startDrive, temporaryFolder, visit } from "../tests/program";
 
 const minutes = Number(process.argv[2] ?? 10);
 const folder = temporaryFolder();
 const drive = await startDrive(folder.path, join(repository, "vehicles/bmw_323i.toml"), "--road", join(repository, "scenarios/proving_ground.toml"));
+const { link, cookie } = await visit(drive.url);
 
 class Client {
   frames = 0;
@@ -18,8 +19,7 @@ class Client {
   private sequence = 0;
 
   constructor() {
-    const token = drive.url.searchParams.get("token") ?? "";
-    this.socket = new WebSocket(`ws://${drive.url.host}/live?token=${token}`, { origin: `http://${drive.url.host}` });
+    this.socket = new WebSocket(link, { origin: `http://${drive.url.host}`, headers: { Cookie: cookie } });
     this.socket.on("message", (data: Buffer, binary: boolean) => {
       this.bytes += data.length;
       if (binary) this.frames += data.readUInt32LE(0) === 1 ? 1 : 0;

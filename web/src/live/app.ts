@@ -17,7 +17,7 @@ import { Menu } from "./menu";
 import type { Part } from "./menu";
 import { Notices } from "./notice";
 import { Picture } from "./picture";
-import type { CarMessage, ClientMessage, InputMessage, Status } from "./protocol";
+import type { CarMessage, ClientMessage, InputMessage, Status } from "../contract";
 import { ResultCard } from "./result";
 import { Session } from "./session";
 import { roleText, situation } from "./situation";
@@ -45,6 +45,7 @@ export class App {
   private lostFor: ReturnType<typeof setTimeout> | undefined;
   private given = false;
   private drawnAt = performance.now();
+  private textsTime = NaN; // of the frame that the texts show [s]
 
   constructor(
     private readonly host: HTMLElement,
@@ -62,7 +63,7 @@ export class App {
 
   run(): void {
     this.showSituation();
-    offerHooks(this.session, this.picture, this.latency);
+    offerHooks(this.session, this.picture, this.latency, () => this.textsTime);
     this.view.focus({ preventScroll: true });
     requestAnimationFrame((now) => this.draw(now));
   }
@@ -156,6 +157,7 @@ export class App {
     this.controls.setDriveline(car.driveline ?? null);
     this.result.hide();
     this.latency.forget();
+    this.textsTime = NaN;
     this.identity.showCar(car);
   }
 
@@ -225,24 +227,30 @@ export class App {
     if (fresh && frame) this.picture.move(frame);
     this.picture.draw((now - this.drawnAt) / 1000, fresh);
     this.drawnAt = now;
-    if (!fresh || !frame) return;
-    if (frame.page === this.session.hello?.page) this.latency.drawn(frame.sequence, performance.now());
-    document.documentElement.dataset["ready"] = "true";
-    this.showFrame(frame, now);
+    if (!frame) return;
+    if (fresh) this.follow(frame);
+    if (this.textsTime !== frame.time || fresh) this.showFrame(frame, now);
   }
 
-  private showFrame(frame: LiveFrame, now: number): void {
-    const texts = this.metronome.ticks(now);
+  private follow(frame: LiveFrame): void {
+    if (frame.page === this.session.hello?.page) this.latency.drawn(frame.sequence, performance.now());
+    document.documentElement.dataset["ready"] = "true";
     this.strip.add(frame.time);
     this.result.follow(frame.time);
+  }
+
+  // Texts wait for their turn, and have it also where no further frame comes.
+  private showFrame(frame: LiveFrame, now: number): void {
+    const texts = this.metronome.ticks(now);
     this.dashboard.show(texts);
     this.wheels.show(texts);
     if (!texts) return;
     this.strip.draw();
     this.machine.showLatency(this.latency);
+    this.textsTime = frame.time;
   }
 
   private speed(): number {
-    return this.session.frame?.value("chassis.longitudinal_velocity") ?? NaN;
+    return this.session.frame?.reader("longitudinal_velocity")() ?? NaN;
   }
 }

@@ -5,7 +5,7 @@ import { Pads } from "./gamepad";
 import type { PadCommand } from "./gamepad";
 import { apart, letGo } from "./held";
 import type { Held } from "./held";
-import type { Driveline, InputMessage } from "./protocol";
+import type { Driveline, InputMessage } from "../contract";
 import { Shifter } from "./shifter";
 import type { ShifterListener } from "./shifter";
 import { TouchControls } from "./touch";

@@ -1,8 +1,7 @@
 // Which vehicle on which road, and how slippery: chosen together, because any change puts a car at its start.
 import { element } from "../dom";
 import { figure } from "./gauge";
-import { courseRoad } from "./protocol";
-import type { CarMessage, Choice, Hello } from "./protocol";
+import type { CarMessage, Choice, Hello } from "../contract";
 
 const surfaces: readonly (readonly [number, string])[] = [
   [0.2, "ice"],
@@ -23,7 +22,7 @@ const optionOf = ({ id, name }: Choice): HTMLElement => element("option", { valu
 const offer = (list: HTMLSelectElement, all: readonly Choice[]): void => list.replaceChildren(...all.map(optionOf));
 
 function offerRoads(list: HTMLSelectElement, all: readonly Choice[]): void {
-  const courses = all.filter(({ id }) => id.startsWith(courseRoad));
+  const courses = all.filter(({ course }) => course);
   const roads = all.filter((road) => !courses.includes(road));
   if (courses.length === 0) return offer(list, roads);
   const group = (label: string, of: readonly Choice[]): HTMLElement =>

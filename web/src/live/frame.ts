@@ -1,22 +1,27 @@
 // Binary messages, read: the row of a car's channels at one instant, and tiles of its road.
-import { tileNodes } from "../document";
+import { Channels, displayOf } from "../channels";
+import { frameHeader, tileHeader, tileNodes } from "../contract";
+import type { CarMessage, ChannelRole, DisplayUnit } from "../contract";
 import type { RoadTile } from "../document";
-import { headerBytes } from "./protocol";
-import type { CarMessage } from "./protocol";
+import { unitSymbol } from "../report/numbers";
+
+// A channel in the unit that people read.
+export interface Shown {
+  readonly unit: string; // "" where there is no such channel
+  read(): number; // NaN where there is none
+}
 
 // One row, written over by each frame.
 export class LiveFrame {
   time = 0; // [s]
   sequence = 0; // of the last input it has felt
   page = 0; // that sent that input
-  readonly names: readonly string[];
+  readonly channels: Channels;
   readonly row: Float32Array;
-  private readonly columns: ReadonlyMap<string, number>;
 
   constructor(private readonly car: CarMessage) {
-    this.names = car.channels.map((channel) => channel.name);
-    this.row = new Float32Array(this.names.length).fill(NaN);
-    this.columns = new Map(this.names.map((name, i) => [name, i]));
+    this.channels = new Channels(car.channels);
+    this.row = new Float32Array(car.channels.length).fill(NaN);
   }
 
   // False if the bytes are of another car.
@@ -26,23 +31,36 @@ export class LiveFrame {
     this.time = view.getFloat64(8, true);
     this.sequence = view.getUint32(16, true);
     this.page = view.getUint32(20, true);
-    const count = Math.min(this.row.length, (bytes.byteLength - headerBytes.frame) / 4);
-    for (let i = 0; i < count; ++i) this.row[i] = view.getFloat32(headerBytes.frame + 4 * i, true);
+    const count = Math.min(this.row.length, (bytes.byteLength - frameHeader) / 4);
+    for (let i = 0; i < count; ++i) this.row[i] = view.getFloat32(frameHeader + 4 * i, true);
     return true;
   }
 
-  has(name: string): boolean {
-    return this.columns.has(name);
+  has(role: ChannelRole, of = ""): boolean {
+    return this.channels.find(role, of) >= 0;
   }
 
-  // Reads one channel; NaN where the car has none of that name.
-  reader(name: string): () => number {
-    const column = this.columns.get(name);
-    return column === undefined ? () => NaN : () => this.row[column] ?? NaN;
+  // Reads one channel in its own unit; NaN where the car has none.
+  reader(role: ChannelRole, of = ""): () => number {
+    const column = this.channels.find(role, of);
+    return () => this.row[column] ?? NaN;
   }
 
-  value(name: string): number {
-    return this.row[this.columns.get(name) ?? -1] ?? NaN;
+  display(role: ChannelRole, of = ""): DisplayUnit {
+    const channel = this.channels.list[this.channels.find(role, of)];
+    if (!channel) return { unit: "", factor: 1 };
+    const { unit, factor } = displayOf(channel);
+    return { unit: unitSymbol(unit), factor };
+  }
+
+  shown(role: ChannelRole, of = ""): Shown {
+    const { unit, factor } = this.display(role, of);
+    const read = this.reader(role, of);
+    return { unit, read: () => factor * read() };
+  }
+
+  named(name: string): number {
+    return this.row[this.channels.named(name)] ?? NaN;
   }
 }
 
@@ -51,6 +69,6 @@ export function readTile(bytes: ArrayBuffer, car: number): RoadTile | null {
   const view = new DataView(bytes);
   if (view.getUint32(4, true) !== car) return null;
   const heights = new Float32Array(tileNodes * tileNodes);
-  for (let i = 0; i < heights.length; ++i) heights[i] = view.getFloat32(headerBytes.tile + 4 * i, true);
+  for (let i = 0; i < heights.length; ++i) heights[i] = view.getFloat32(tileHeader + 4 * i, true);
   return { ix: view.getInt32(8, true), iy: view.getInt32(12, true), heights };
 }

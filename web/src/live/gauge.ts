@@ -13,14 +13,20 @@ export function write(target: HTMLElement, text: string): void {
 
 export interface Readout {
   readonly root: HTMLElement;
+  unit: string;
   show(text: string): void;
 }
 
-export function readout(label: string, unit: string): Readout {
+export function readout(label: string, unit = ""): Readout {
   const value = element("dd", {}, "–");
   const root = element("div", { class: "readout" }, element("dt", {}, label), value);
-  return { root, show: (text) => write(value, unit === "" ? text : `${text} ${unit}`) };
+  const show = (text: string): void => write(value, withUnit(text, made.unit));
+  const made = { root, unit, show };
+  return made;
 }
+
+export const withUnit = (text: string, unit: string): string =>
+  unit === "" || unit === "1" ? text : unit === "°" ? `${text}°` : `${text} ${unit}`;
 
 export interface Bar {
   readonly root: HTMLElement;

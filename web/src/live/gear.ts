@@ -2,7 +2,7 @@
 import { element } from "../dom";
 import type { LiveFrame } from "./frame";
 import { write } from "./gauge";
-import type { Driveline, Selector } from "./protocol";
+import type { Driveline, Selector } from "../contract";
 
 const letters: Readonly<Record<Selector, string>> = { drive: "D", neutral: "N", reverse: "R", manual: "M" };
 
@@ -19,7 +19,7 @@ export class GearSign {
 
   setCar(driveline: Driveline | null, frame: LiveFrame): void {
     this.driveline = driveline;
-    this.read = frame.reader(`${driveline?.units[0]?.name ?? ""}.gear`);
+    this.read = frame.reader("gear", driveline?.units[0]?.name);
     this.show();
   }
 

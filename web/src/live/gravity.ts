@@ -2,7 +2,6 @@
 import { element } from "../dom";
 import { color, onThemeChange } from "../theme";
 
-export const gravity = 9.80665; // [m/s^2]
 const size = 116; // [px]
 const edge = 1.25; // [g]
 const middle = size / 2;

@@ -2,6 +2,7 @@
 import type { Latency } from "./latency";
 import type { LinkState } from "./link";
 import type { Picture } from "./picture";
+import type { Status } from "../contract";
 import type { Role, Session } from "./session";
 
 export interface Hooks {
@@ -12,6 +13,10 @@ export interface Hooks {
   state(): LinkState;
   row(name: string): number; // a channel of the frame drawn last; NaN if there is none
   framesDrawn(): number;
+  textsTime(): number; // of the frame that instruments show in words [s]
+  felt(): number; // inputs whose effect has been drawn, however late
+  statuses(): number; // received so far
+  status(): Status | null; // the last one
 }
 
 declare global {
@@ -20,15 +25,19 @@ declare global {
   }
 }
 
-export function offerHooks(session: Session, picture: Picture, latency: Latency): void {
-  const row = (name: string): number => session.frame?.value(name) ?? NaN;
+export function offerHooks(session: Session, picture: Picture, latency: Latency, textsTime: () => number): void {
+  const row = (name: string): number => session.frame?.named(name) ?? NaN;
   window.hamilcar = {
     latencies: () => latency.all(),
-    speed: () => row("chassis.longitudinal_velocity"),
+    speed: () => session.frame?.reader("longitudinal_velocity")() ?? NaN,
     time: () => session.frame?.time ?? NaN,
     role: () => session.role,
     state: () => session.linkState,
     row,
     framesDrawn: () => picture.framesDrawn,
+    textsTime,
+    felt: () => latency.felt,
+    statuses: () => session.statuses,
+    status: () => session.status,
   };
 }

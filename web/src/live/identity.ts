@@ -2,7 +2,7 @@
 import { element } from "../dom";
 import { surface } from "./course";
 import { figure, write } from "./gauge";
-import type { CarMessage } from "./protocol";
+import type { CarMessage } from "../contract";
 
 // Which car on which road, and who drives it.
 export class Identity {

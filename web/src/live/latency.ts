@@ -7,6 +7,7 @@ const forgotten = 2000; // an input that has no effect by then never had one: it
 export class Latency {
   private readonly waiting: { sequence: number; at: number }[] = [];
   private readonly samples: number[] = [];
+  felt = 0; // inputs so far, however late
 
   pressed(sequence: number, at: number): void {
     this.waiting.push({ sequence, at });
@@ -17,6 +18,7 @@ export class Latency {
     while (this.waiting[0] && this.waiting[0].sequence <= sequence) {
       const age = now - this.waiting[0].at;
       this.waiting.shift();
+      this.felt += 1;
       if (age < forgotten) this.samples.push(age);
     }
     if (this.samples.length > kept) this.samples.splice(0, this.samples.length - kept);

@@ -1,8 +1,8 @@
 // The wire to the program: typed messages, the newest frame, and a new connection after a loss.
-import { frameKind, tileKind } from "./protocol";
-import type { ClientMessage, ServerMessage } from "./protocol";
+import { frameKind, tileKind } from "../contract";
+import type { ClientMessage, ServerMessage } from "../contract";
 
-// refused: the program answers, but not on this page's token; it was started anew and has printed another address.
+// refused: the program answers, but not to this page's cookie; it was started anew and has printed another address.
 export type LinkState = "connecting" | "open" | "lost" | "refused";
 
 export interface LinkListener {
@@ -15,9 +15,8 @@ const firstDelay = 250; // [ms]
 const lastDelay = 2000;
 
 export function liveAddress(page: Location): string {
-  const address = new URL("/live", page.href);
+  const address = new URL("live", page.href);
   address.protocol = page.protocol === "https:" ? "wss:" : "ws:";
-  address.searchParams.set("token", new URLSearchParams(page.search).get("token") ?? "");
   return address.href;
 }
 
@@ -65,10 +64,11 @@ export class Link {
     this.socket = socket;
   }
 
-  // A browser does not tell why a handshake failed; whether the page itself is still given out does.
+  // A browser does not tell why a handshake failed; whether the page itself is still given out does. A program that was
+  // started anew has its page elsewhere.
   private async askWhy(): Promise<void> {
     const stranger = await fetch(location.href, { cache: "no-store", method: "HEAD" }).then(
-      ({ status }) => status === 403,
+      ({ status }) => status === 403 || status === 404,
       () => false,
     );
     if (this.state !== "open") this.enter(stranger ? "refused" : "lost");

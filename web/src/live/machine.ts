@@ -2,7 +2,7 @@
 import { element } from "../dom";
 import { figure, readout } from "./gauge";
 import type { Latency } from "./latency";
-import type { Status } from "./protocol";
+import type { Status } from "../contract";
 
 export class MachineLine {
   readonly root: HTMLElement;

@@ -9,9 +9,10 @@ import type { Course } from "./course";
 import { recall, remember } from "./memory";
 import { choices, toggle } from "./switches";
 
-export type Part = "body" | "forces" | "wheels" | "curves" | "machine";
+export type Part = "body" | "solid" | "forces" | "wheels" | "curves" | "machine";
 const parts: readonly { readonly part: Part; readonly label: string }[] = [
   { part: "body", label: "Body" },
+  { part: "solid", label: "Solid body" },
   { part: "forces", label: "Forces" },
   { part: "wheels", label: "Wheels" },
   { part: "curves", label: "Curves" },
@@ -95,7 +96,7 @@ export class Menu {
   private partToggles(roomy: boolean): HTMLElement {
     const buttons = parts.map(({ part, label }) => {
       const kept = recall(`show.${part}`);
-      const usual = part === "body" || (roomy && (part === "wheels" || part === "machine"));
+      const usual = part === "body" || part === "solid" || (roomy && (part === "wheels" || part === "machine"));
       const first = typeof kept === "boolean" ? kept : usual;
       const button = toggle(label, first, (on) => {
         button.set(on);

@@ -1,4 +1,4 @@
-// What must not be missed: a lost connection, the end of the car's run, a wish not granted.
+// What must not be missed: a lost connection, the end of the car's run, a request refused.
 import { element } from "../dom";
 import { write } from "./gauge";
 

@@ -1,12 +1,13 @@
 // The car that the wire tells of, in the 3D view. Without WebGL there is none, and the instruments still work.
-import type { RoadScene, RoadTile } from "../document";
+import type { RoadScene } from "../contract";
+import type { RoadTile } from "../document";
 import type { CameraMode } from "../scene/camera";
 import { Car } from "../scene/car";
 import type { CarPart } from "../scene/car";
 import { noMarkings } from "../scene/markings";
 import type { Stage } from "../scene/stage";
 import type { LiveFrame } from "./frame";
-import type { CarMessage, TestCourse } from "./protocol";
+import type { CarMessage, TestCourse } from "../contract";
 
 const tileReach = 160; // beyond it tiles are dropped; the program sends them again when they matter [m]
 const longestStep = 0.2; // of the wheels' turning, where the picture hangs [s]
@@ -35,10 +36,11 @@ export class Picture {
     }
     stage.clearTiles();
     stage.setRoad(roadOf(scene.road, course), course ?? noMarkings);
-    this.car = new Car(scene, frame.names);
+    this.car = new Car(scene, frame.channels);
     for (const part of this.hidden) this.car.show(part, false);
     this.carTime = NaN;
-    this.place = { x: frame.reader("chassis.pose.x"), y: frame.reader("chassis.pose.y") };
+    const chassis = scene.frames[0]?.name;
+    this.place = { x: frame.reader("pose_x", chassis), y: frame.reader("pose_y", chassis) };
   }
 
   addTile(tile: RoadTile): void {

@@ -1,10 +1,10 @@
 // How a course went: shown as the car has passed its end, until it is back at its start.
 import { element } from "../dom";
-import { raisePowers, significant } from "../report/numbers";
+import { significant, unitSymbol } from "../report/numbers";
 import { announce } from "../report/sharing";
 import { createVerdictList, verdictSign, verdictWord } from "../report/verdicts";
 import { figure } from "./gauge";
-import type { CourseResult, ResultValue } from "./protocol";
+import type { CourseResult, ResultValue } from "../contract";
 import "./result.css";
 
 const outcome = ({ finished, passed }: CourseResult): string => {
@@ -14,7 +14,7 @@ const outcome = ({ finished, passed }: CourseResult): string => {
 
 function rowOf({ name, unit, value, meaning }: ResultValue): HTMLElement {
   const number = value === null ? "–" : significant(value);
-  const suffix = value === null || unit === "" || unit === "1" ? "" : ` ${raisePowers(unit)}`;
+  const suffix = value === null || unit === "" || unit === "1" ? "" : ` ${unitSymbol(unit)}`;
   const head = element("th", { scope: "row" }, name, meaning === "" ? null : element("small", {}, meaning));
   return element("tr", {}, head, element("td", {}, number + suffix));
 }

@@ -3,7 +3,7 @@ import type { RoadTile } from "../document";
 import { LiveFrame, readTile } from "./frame";
 import { Link } from "./link";
 import type { LinkState } from "./link";
-import type { CarMessage, ClientMessage, CourseResult, Hello, ServerMessage, Status } from "./protocol";
+import type { CarMessage, ClientMessage, CourseResult, Hello, ServerMessage, Status } from "../contract";
 
 export type Role = "driver" | "watcher" | "nobody"; // nobody: no page drives
 
@@ -22,6 +22,7 @@ export class Session {
   car: CarMessage | null = null;
   status: Status | null = null;
   frame: LiveFrame | null = null;
+  statuses = 0; // received so far
   private readonly link: Link;
 
   constructor(
@@ -78,6 +79,7 @@ export class Session {
         return;
       case "status":
         this.status = message;
+        this.statuses += 1;
         return this.listener.statusChanged(message);
       case "refusal":
         return this.listener.refused(message.message);

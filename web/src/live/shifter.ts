@@ -1,5 +1,5 @@
 // Selector and gears as the person wants them. A car without a driveline knows ahead and back alone.
-import type { Driveline, InputMessage, Selector } from "./protocol";
+import type { Driveline, InputMessage, Selector } from "../contract";
 
 const standstill = 0.5; // [m/s]
 

@@ -1,6 +1,6 @@
 // Words for where the page stands.
 import type { LinkState } from "./link";
-import type { Status } from "./protocol";
+import type { Status } from "../contract";
 import type { Role } from "./session";
 
 export interface Situation {

@@ -2,15 +2,15 @@
 import { element } from "../dom";
 import { createTimePlot } from "../report/plot";
 import type { TimePlot } from "../report/plot";
-import type { LiveFrame } from "./frame";
+import type { LiveFrame, Shown } from "./frame";
 
 const span = 10; // [s]
 const room = 4096; // rows; far more than a screen draws in that time
 
 const curves = [
-  { channel: "chassis.longitudinal_velocity", factor: 3.6, name: "speed", unit: "km/h" },
-  { channel: "chassis.lateral_acceleration", factor: 1, name: "lateral acceleration", unit: "m/s²" },
-  { channel: "chassis.rate.yaw", factor: 1, name: "yaw rate", unit: "°/s" },
+  { role: "longitudinal_velocity", name: "speed" },
+  { role: "lateral_acceleration", name: "lateral acceleration" },
+  { role: "yaw_rate", name: "yaw rate" },
 ] as const;
 
 export class Strip {
@@ -18,12 +18,13 @@ export class Strip {
   private plots: readonly TimePlot[] = [];
   private readonly time = new Float64Array(room);
   private readonly columns = curves.map(() => new Float64Array(room));
-  private readers: readonly (() => number)[] = [];
+  private shownOf: readonly Shown[] = [];
   private count = 0;
 
   setCar(frame: LiveFrame): void {
-    this.readers = curves.map(({ channel }) => frame.reader(channel));
+    this.shownOf = curves.map(({ role }) => frame.shown(role));
     this.count = 0;
+    if (this.plots.length > 0) this.shown = true; // with this car's units
   }
 
   // Plots exist only while they are seen.
@@ -41,7 +42,7 @@ export class Strip {
     if (time === last && this.count > 0) return;
     if (this.count === room) this.dropOldHalf();
     this.time[this.count] = time;
-    this.columns.forEach((column, i) => (column[this.count] = (this.readers[i]?.() ?? NaN) * (curves[i]?.factor ?? 1)));
+    this.columns.forEach((column, i) => (column[this.count] = this.shownOf[i]?.read() ?? NaN));
     this.count += 1;
   }
 
@@ -58,10 +59,10 @@ export class Strip {
     });
   }
 
-  private plot({ name, unit }: (typeof curves)[number], i: number): TimePlot {
+  private plot({ name }: (typeof curves)[number], i: number): TimePlot {
     return createTimePlot(this.root, {
       label: `${name} over the last ten seconds`,
-      y: `${name} [${unit}]`,
+      y: `${name} [${this.shownOf[i]?.unit ?? ""}]`,
       series: [{ label: "", color: 0 }],
       height: 84,
       timeAxis: i === curves.length - 1,

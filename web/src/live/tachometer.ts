@@ -3,27 +3,27 @@ import { element } from "../dom";
 import type { LiveFrame } from "./frame";
 import { figure, readout, write } from "./gauge";
 import { clamp } from "./held";
-import type { Driveline, PowerUnit } from "./protocol";
+import type { Driveline, PowerUnit } from "../contract";
 import "./tachometer.css";
 
 const beyond = 1.06; // the scale ends this much above the highest speed
 const turn = (2 * Math.PI) / 60; // rpm in rad/s
 
 // Round numbers, at most nine of them.
-function stepOf(most: number): number {
+function stepOf(max: number): number {
   const steps = [500, 1000, 2000, 2500, 5000];
-  return steps.find((step) => most / step <= 9) ?? 10000;
+  return steps.find((step) => max / step <= 9) ?? 10000;
 }
 
-function scaleOf({ idle, most }: PowerUnit): HTMLElement {
-  const end = beyond * most;
+function scaleOf({ idle, max }: PowerUnit): HTMLElement {
+  const end = beyond * max;
   const at = (speed: number): string => `${((100 * speed) / end).toFixed(2)}%`;
-  const step = stepOf(most);
+  const step = stepOf(max);
   const ticks = Array.from({ length: Math.floor(end / step) + 1 }, (_, i) => i * step);
   return element(
     "span",
     { class: "scale", "aria-hidden": "true" },
-    element("span", { class: "much", style: `left: ${at(most)}` }),
+    element("span", { class: "much", style: `left: ${at(max)}` }),
     ...ticks.map((speed) =>
       element("span", { class: "tick", style: `left: ${at(speed)}` }, figure(speed / 1000, step % 1000 === 0 ? 0 : 1)),
     ),
@@ -46,12 +46,12 @@ class UnitLine {
   ) {
     const { name } = unit;
     this.read = {
-      speed: frame.reader(`${name}.speed`),
-      torque: frame.reader(`${name}.torque`),
-      clutch: frame.reader(`${name}.clutch_torque`),
+      speed: frame.reader("rotor_speed", name),
+      torque: frame.reader("rotor_torque", name),
+      clutch: frame.reader("clutch_torque", name),
     };
-    this.power.root.hidden = !frame.has(`${name}.torque`);
-    this.clutch.root.hidden = !frame.has(`${name}.clutch_torque`);
+    this.power.root.hidden = !frame.has("rotor_torque", name);
+    this.clutch.root.hidden = !frame.has("clutch_torque", name);
     const words = name.replaceAll("_", " ");
     this.speed.ariaLabel = `Revolutions per minute of ${words}`;
     this.scale = scaleOf(unit);
@@ -67,12 +67,12 @@ class UnitLine {
 
   show(texts: boolean): void {
     const speed = this.read.speed();
-    const { most } = this.unit;
+    const { max } = this.unit;
     const level = this.scale.lastElementChild as HTMLElement;
-    const part = Number.isFinite(speed) ? clamp(Math.abs(speed) / (beyond * most), 0, 1) : 0;
+    const part = Number.isFinite(speed) ? clamp(Math.abs(speed) / (beyond * max), 0, 1) : 0;
     level.style.transform = `scaleX(${part.toFixed(3)})`;
     if (!texts) return;
-    this.root.classList.toggle("warns", Math.abs(speed) > most);
+    this.root.classList.toggle("warns", Math.abs(speed) > max);
     write(this.speed, figure(10 * Math.round(speed / 10), 0)); // what trembles cannot be read
     this.power.show(figure((this.read.torque() * speed * turn) / 1000, 0));
     this.clutch.show(figure(this.read.clutch(), 0));
@@ -84,7 +84,7 @@ export class Tachometers {
   private lines: readonly UnitLine[] = [];
 
   setCar(driveline: Driveline | null, frame: LiveFrame): void {
-    const seen = (driveline?.units ?? []).filter(({ name }) => frame.has(`${name}.speed`));
+    const seen = (driveline?.units ?? []).filter(({ name }) => frame.has("rotor_speed", name));
     this.lines = seen.map((unit) => new UnitLine(unit, frame));
     this.root.replaceChildren(...this.lines.map((line) => line.root));
     this.root.hidden = this.lines.length === 0;

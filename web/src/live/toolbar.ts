@@ -3,7 +3,7 @@ import { element } from "../dom";
 import { cameraModes } from "../scene/camera";
 import type { CameraMode } from "../scene/camera";
 import { toggle } from "./switches";
-import type { Status } from "./protocol";
+import type { Status } from "../contract";
 
 export interface ToolbarListener {
   reset(): void;

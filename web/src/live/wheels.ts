@@ -1,5 +1,5 @@
 // What every wheel carries and how it slips: a table with bars, from the first axle to the last.
-import type { Scene, Wheel } from "../document";
+import type { DisplayUnit, Scene, Wheel } from "../contract";
 import { element } from "../dom";
 import type { LiveFrame } from "./frame";
 import { bar, figure, write } from "./gauge";
@@ -9,6 +9,7 @@ const crawl = 0.5; // slower than so the angle of slip trembles and tells nothin
 const slides = { angle: 10, slip: 0.2 } as const; // beyond the peak of most tires [deg, 1]
 const fullTravel = 0.1; // [m]
 const fullLoad = 8000; // until a wheel carries more [N]
+const lifted = 1; // a wheel that carries less is in the air [N]
 
 interface TireReader {
   load(): number; // [N]
@@ -18,18 +19,20 @@ interface TireReader {
 }
 
 function tireReader(frame: LiveFrame, tire: string): TireReader {
-  const load = frame.reader(`${tire}.vertical_force`);
-  const [x, y, z] = ["x", "y", "z"].map((axis) => frame.reader(`${tire}.ground_force.${axis}`));
+  const load = frame.reader("vertical_force", tire);
+  const [x, y, z] = axes.map((axis) => frame.reader(axis, tire));
   return {
     load,
     force: () => {
       const whole = Math.hypot(x?.() ?? NaN, y?.() ?? NaN, z?.() ?? NaN);
       return Math.sqrt(Math.max(whole * whole - load() * load(), 0));
     },
-    angle: frame.reader(`${tire}.slip_angle`),
-    slip: frame.reader(`${tire}.longitudinal_slip`),
+    angle: frame.reader("slip_angle", tire),
+    slip: frame.reader("longitudinal_slip", tire),
   };
 }
+
+const axes = ["ground_force_x", "ground_force_y", "ground_force_z"] as const;
 
 const sum = (values: readonly number[]): number => values.reduce((a, b) => a + b, 0);
 const largest = (values: readonly number[]): number =>
@@ -67,7 +70,7 @@ class WheelRow {
   constructor(frame: LiveFrame, scene: Scene, wheel: Wheel) {
     const own = scene.tires.filter((tire) => tire.name.startsWith(`${wheel.name}.`));
     this.tires = own.map((tire) => tireReader(frame, tire.name));
-    this.travel = frame.reader(`${wheel.name}.wheel.travel`);
+    this.travel = frame.reader("wheel_travel", wheel.name);
     const figures = [this.load, this.grip, this.angle, this.slip, this.stroke];
     const name = wheel.name.replaceAll("_", " ");
     this.root = element("tr", {}, element("th", { scope: "row" }, name), ...figures.map((one) => one.root));
@@ -77,28 +80,41 @@ class WheelRow {
     return sum(this.tires.map((tire) => tire.load()));
   }
 
-  show(full: number, moves: boolean, texts: boolean): void {
+  show(full: number, moves: boolean, texts: boolean, units: Units): void {
     const load = this.loadNow;
-    const grip = load <= 1 ? 0 : sum(this.tires.map((tire) => tire.force())) / load;
+    const grip = load <= lifted ? 0 : sum(this.tires.map((tire) => tire.force())) / load;
     const angle = moves ? largest(this.tires.map((tire) => tire.angle())) : NaN;
     const slip = largest(this.tires.map((tire) => tire.slip()));
     const travel = this.travel();
     const text = (value: number, decimals: number): string | null => (texts ? figure(value, decimals) : null);
-    this.load.show(text(load / 1000, 2), load / full, load < 1);
+    this.load.show(text(units.load.factor * load, 2), load / full, load < lifted);
     this.grip.show(text(grip, 2), grip / 1.2, false);
-    this.angle.show(text(angle, 1), -angle / (2 * slides.angle), Math.abs(angle) > slides.angle);
-    this.slip.show(text(100 * slip, 0), slip / (2 * slides.slip), Math.abs(slip) > slides.slip);
-    this.stroke.show(text(1000 * travel, 0), travel / fullTravel, false);
+    this.angle.show(text(units.angle.factor * angle, 1), -angle / (2 * slides.angle), Math.abs(angle) > slides.angle);
+    this.slip.show(text(units.slip.factor * slip, 0), slip / (2 * slides.slip), Math.abs(slip) > slides.slip);
+    this.stroke.show(text(units.travel.factor * travel, 0), travel / fullTravel, false);
   }
 }
 
-const columns: readonly (readonly [string, string, string])[] = [
-  ["load", "kN", "vertical force of the road on the wheel"],
-  ["grip", "1", "force along the road over load"],
-  ["slip angle", "°", "slip angle, positive where the wheel moves to its left"],
-  ["slip", "%", "longitudinal slip, drive positive"],
-  ["travel", "mm", "of the wheel center against design, up positive"],
-];
+const columns = [
+  ["load", "load", "vertical force of the road on the wheel"],
+  ["grip", null, "force along the road over load"],
+  ["slip angle", "angle", "slip angle, positive where the wheel moves to its left"],
+  ["slip", "slip", "longitudinal slip, drive positive"],
+  ["travel", "travel", "of the wheel center against design, up positive"],
+] as const;
+
+// Of a car's channels, which have the same at all wheels.
+type Units = Readonly<Record<"load" | "angle" | "slip" | "travel", DisplayUnit>>;
+
+function unitsOf(frame: LiveFrame, { wheels, tires }: Scene): Units {
+  const tire = tires[0]?.name;
+  return {
+    load: frame.display("vertical_force", tire),
+    angle: frame.display("slip_angle", tire),
+    slip: frame.display("longitudinal_slip", tire),
+    travel: frame.display("wheel_travel", wheels[0]?.name),
+  };
+}
 
 export class WheelTable {
   readonly root: HTMLElement;
@@ -106,10 +122,12 @@ export class WheelTable {
   private rows: readonly WheelRow[] = [];
   private velocity: readonly (() => number)[] = [];
   private full = fullLoad;
+  private units: Units | null = null;
+  private readonly unitTexts = columns.map(() => element("small"));
 
   constructor() {
-    const heads = columns.map(([name, unit, title]) =>
-      element("th", { scope: "col", title }, name, " ", element("small", {}, unit === "1" ? "" : unit)),
+    const heads = columns.map(([name, , title], i) =>
+      element("th", { scope: "col", title }, name, " ", this.unitTexts[i] ?? null),
     );
     const head = element("thead", {}, element("tr", {}, element("td"), ...heads));
     const table = element("table", {}, head, this.body);
@@ -122,15 +140,19 @@ export class WheelTable {
       Math.abs(a.center[0] - b.center[0]) > a.radius ? b.center[0] - a.center[0] : b.center[1] - a.center[1],
     );
     this.rows = order.map((wheel) => new WheelRow(frame, scene, wheel));
-    this.velocity = ["longitudinal", "lateral"].map((way) => frame.reader(`chassis.${way}_velocity`));
+    this.velocity = [frame.reader("longitudinal_velocity"), frame.reader("lateral_velocity")];
     this.full = fullLoad;
+    const units = unitsOf(frame, scene);
+    this.units = units;
+    columns.forEach(([, which], i) => write(this.unitTexts[i]!, which === null ? "" : units[which].unit));
     this.body.replaceChildren(...this.rows.map((row) => row.root));
   }
 
   show(texts: boolean): void {
-    if (this.root.hidden) return;
+    const { units } = this;
+    if (this.root.hidden || units === null) return;
     this.full = Math.max(this.full, ...this.rows.map((row) => row.loadNow || 0));
     const moves = !(Math.hypot(...this.velocity.map((read) => read())) < crawl);
-    for (const row of this.rows) row.show(this.full, moves, texts);
+    for (const row of this.rows) row.show(this.full, moves, texts, units);
   }
 }

@@ -16,6 +16,7 @@ export const replayKeys: readonly Key[] = [
   { keys: ["0"], does: "camera back to its own place" },
   { keys: ["f"], does: "forces" },
   { keys: ["b"], does: "body" },
+  { keys: ["x"], does: "see through the body to the linkages" },
   { keys: ["g"], does: "runs as ghosts or side by side" },
   { keys: ["c"], does: "choose channels" },
 ];
@@ -35,6 +36,7 @@ export interface KeyActions {
   resetCamera(): void;
   forces(): void;
   body(): void;
+  solid(): void;
   arrange(): void;
   channels(): void;
 }
@@ -66,6 +68,7 @@ function actionOf(event: KeyboardEvent, does: KeyActions): (() => void) | null {
     case "0": return () => does.resetCamera();
     case "f": return () => does.forces();
     case "b": return () => does.body();
+    case "x": return () => does.solid();
     case "g": return () => does.arrange();
     case "c": return () => does.channels();
     default: return null;

@@ -1,7 +1,8 @@
 // Which channels are shown: all of them by their first word, found by typing.
-import type { Channel } from "../document";
+import { isMotion } from "../channels";
+import type { Channel } from "../contract";
 import { element } from "../dom";
-import { isMotion, unitText, words } from "./sheet";
+import { unitText, words } from "./sheet";
 import type { Track } from "./track";
 
 interface Entry {
@@ -26,8 +27,9 @@ function channelsOf(tracks: readonly Track[]): Channel[] {
 }
 
 // Poses and contacts, which only the picture needs, stand last.
-function groupName({ name }: Channel): string {
-  if (isMotion(name)) return "motion";
+function groupName(channel: Channel): string {
+  const { name } = channel;
+  if (isMotion(channel)) return "motion";
   const dot = name.indexOf(".");
   return dot > 0 ? name.slice(0, dot) : "other";
 }
@@ -75,8 +77,8 @@ export class Picker {
       onchange: () => this.choose(channel.name, box.checked),
     });
     const dot = channel.name.indexOf(".");
-    const name = element("span", {}, isMotion(channel.name) ? channel.name : channel.name.slice(dot + 1));
-    const unit = element("span", { class: "replay-unit" }, unitText(channel.unit));
+    const name = element("span", {}, isMotion(channel) ? channel.name : channel.name.slice(dot + 1));
+    const unit = element("span", { class: "replay-unit" }, unitText(channel));
     return { channel, box, row: element("label", { title: channel.description }, box, name, unit) };
   }
 

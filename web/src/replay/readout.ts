@@ -1,6 +1,7 @@
 // Numbers of the chosen channels at the time that is shown, one column for each run.
+import { displayOf } from "../channels";
 import { element } from "../dom";
-import { significant } from "../report/numbers";
+import { largest, significant, withoutRoundOff } from "../report/numbers";
 import { unitText, words } from "./sheet";
 import type { Track } from "./track";
 
@@ -9,6 +10,8 @@ interface Reading {
   readonly text: Text;
   readonly track: Track;
   readonly channel: number;
+  readonly factor: number; // of the unit that is shown
+  readonly size: number; // of the run's largest value
 }
 
 export class Readout {
@@ -31,26 +34,27 @@ export class Readout {
   // Of the rows as they were sampled last.
   show(): void {
     for (let i = 0; i < this.readings.length; ++i) {
-      const { cell, text, track, channel } = this.readings[i]!;
+      const { cell, text, track, channel, factor, size } = this.readings[i]!;
       const value = track.row[channel]!;
       cell.dataset["value"] = String(value);
-      text.data = significant(value, 5);
+      text.data = significant(factor * withoutRoundOff(value, size), 5);
     }
   }
 
   private rowOf(name: string): HTMLElement {
-    const unit = this.tracks.map((track) => track.channel(name)).find((channel) => channel !== null)?.unit ?? "";
-    const unitOf = element("span", { class: "replay-unit" }, unitText(unit));
+    const channel = this.tracks.map((track) => track.channel(name)).find((found) => found !== null);
+    const unitOf = element("span", { class: "replay-unit" }, unitText(channel));
     const head = element("th", { scope: "row" }, words(name), unitOf);
     return element("tr", {}, head, ...this.tracks.map((track, run) => this.cellOf(name, track, run)));
   }
 
   private cellOf(name: string, track: Track, run: number): HTMLElement {
-    const channel = track.names.indexOf(name);
+    const channel = track.channels.named(name);
     if (channel < 0) return element("td", {}, "–");
     const text = document.createTextNode("");
     const cell = element("td", { "data-channel": name, "data-run": run }, text);
-    this.readings.push({ cell, text, track, channel });
+    const { factor } = displayOf(track.channels.list[channel]!);
+    this.readings.push({ cell, text, track, channel, factor, size: largest(track.column(name) ?? []) });
     return cell;
   }
 }

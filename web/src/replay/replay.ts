@@ -48,7 +48,7 @@ class Replay {
     this.transport = new Transport(this.player);
     this.plots = new Plots(tracks);
     this.readout = new Readout(tracks);
-    const names = firstChoice([...new Set(tracks.flatMap((track) => track.names))]);
+    const names = firstChoice(tracks);
     this.picker = new Picker(tracks, names);
     this.assemble();
     this.world = new World(this.view, loaded, tracks);
@@ -175,6 +175,7 @@ class Replay {
       resetCamera: () => camera?.reset(),
       forces: () => this.viewBar?.toggle("forces"),
       body: () => this.viewBar?.toggle("body"),
+      solid: () => this.viewBar?.toggle("solid"),
       arrange: () => this.viewBar?.arrange(),
       channels: () => this.togglePicker(),
     };

@@ -1,5 +1,8 @@
 // What one plot shows: channels of one run that differ in their first word alone (wheel loads of four wheels), or one
 // channel of all runs; on one base of time, thinned where there are more rows than pixels by far.
+import { displayOf, isMotion } from "../channels";
+import type { Channel, ChannelRole } from "../contract";
+import { largest, raisePowers, withoutRoundOff } from "../report/numbers";
 import type { Column, Track } from "./track";
 
 const mostRows = 40_000; // drawn as they are
@@ -22,15 +25,17 @@ export const words = (name: string): string => name.replaceAll("_", " ").replace
 const headOf = (name: string): string => name.slice(0, Math.max(name.indexOf("."), 0));
 const tailOf = (name: string): string => name.slice(name.indexOf(".") + 1);
 
-export const unitText = (unit: string): string =>
-  unit === "1" || unit === "" ? "" : ` [${unit}]`;
+// In brackets, as people read it; "" where the channel has none, or is none.
+export function unitText(channel: Channel | null | undefined): string {
+  const { unit } = channel ? displayOf(channel) : { unit: "" };
+  return unit === "1" || unit === "" ? "" : ` [${raisePowers(unit)}]`;
+}
 
 function comparing(name: string, tracks: readonly Track[]): Sheet {
   const having = tracks.filter((track) => track.channel(name) !== null);
-  const unit = having[0]?.channel(name)?.unit ?? "";
   return {
     title: words(name),
-    axis: words(name) + unitText(unit),
+    axis: words(name) + unitText(having[0]?.channel(name)),
     curves: having.map((track) => ({ label: track.run.name, color: track.index, track, channel: name })),
   };
 }
@@ -41,7 +46,7 @@ function together(names: readonly string[], track: Track): Sheet {
   const title = words(alone ? first : tailOf(first));
   return {
     title,
-    axis: title + unitText(track.channel(first)?.unit ?? ""),
+    axis: title + unitText(track.channel(first)),
     curves: names.map((name, i) => ({ label: alone ? "" : words(headOf(name)), color: i, track, channel: name })),
   };
 }
@@ -55,6 +60,15 @@ export function sheetsOf(names: readonly string[], tracks: readonly Track[]): Sh
     groups.set(key, [...(groups.get(key) ?? []), name]);
   }
   return [...groups.values()].map((group) => together(group, only));
+}
+
+// In the unit that people read.
+function columnOf({ track, channel }: Curve): Column {
+  const column = track.column(channel) ?? new Float64Array(track.time.length);
+  const found = track.channel(channel);
+  const { factor } = found ? displayOf(found) : { factor: 1 };
+  const size = largest(column);
+  return Float64Array.from(column, (value) => factor * withoutRoundOff(value, size));
 }
 
 // Lowest and highest of each stretch of rows, in the order in which they come.
@@ -84,10 +98,10 @@ function thin(time: Float64Array, columns: readonly Column[]): { time: Float64Ar
 const sameTimes = (a: Float64Array, b: Float64Array): boolean =>
   a.length === b.length && a.every((time, i) => time === b[i]);
 
-function onto(times: Float64Array, { track, channel }: Curve): Float64Array {
-  const column = track.column(channel);
+function onto(times: Float64Array, curve: Curve): Float64Array {
+  const { track } = curve;
+  const column = columnOf(curve);
   const out = new Float64Array(times.length).fill(NaN);
-  if (column === null) return out;
   for (let i = 0; i < times.length; ++i) {
     const time = times[i]!;
     if (time < track.start || time > track.end) continue;
@@ -109,7 +123,7 @@ function evenTimes(curves: readonly Curve[]): Float64Array {
 export function dataOf(curves: readonly Curve[]): { time: Float64Array; columns: readonly Column[] } {
   const own = curves[0]?.track.time ?? new Float64Array(0);
   if (curves.every(({ track }) => track.time === own || sameTimes(track.time, own))) {
-    const columns = curves.map(({ track, channel }) => track.column(channel) ?? new Float64Array(own.length));
+    const columns = curves.map(columnOf);
     return own.length > mostRows ? thin(own, columns) : { time: own, columns };
   }
   const time = evenTimes(curves);
@@ -117,12 +131,11 @@ export function dataOf(curves: readonly Curve[]): { time: Float64Array; columns:
 }
 
 // Speed, lateral acceleration, yaw rate, wheel loads: what one looks at first, where the run has it.
-export function firstChoice(names: readonly string[]): string[] {
-  const wanted = ["chassis.longitudinal_velocity", "chassis.lateral_acceleration", "chassis.rate.yaw"];
-  const loads = names.filter((name) => name.endsWith("tire.vertical_force")).slice(0, 8);
-  const chosen = [...wanted.filter((name) => names.includes(name)), ...loads];
-  return chosen.length > 0 ? chosen : names.filter((name) => name !== "time" && !isMotion(name)).slice(0, 4);
+export function firstChoice(tracks: readonly Track[]): string[] {
+  const all = [...new Map(tracks.flatMap(({ run }) => run.channels.map((one) => [one.name, one]))).values()];
+  const having = (wanted: ChannelRole): string[] => all.filter(({ role }) => role === wanted).map(({ name }) => name);
+  const first = ["longitudinal_velocity", "lateral_acceleration", "yaw_rate"] as const;
+  const chosen = [...first.flatMap(having), ...having("vertical_force").slice(0, 8)];
+  if (chosen.length > 0) return chosen;
+  return all.filter((channel) => channel.name !== "time" && !isMotion(channel)).map(({ name }) => name).slice(0, 4);
 }
-
-// Channels that the picture needs, and few people read.
-export const isMotion = (name: string): boolean => /\.(pose|contact|ground_force)\.[a-z]+$/.test(name);

@@ -1,20 +1,21 @@
 // One run over time: its columns, and its channels' values at any time between its rows.
-import type { Channel, LoadedDocument, Run } from "../document";
+import { Channels } from "../channels";
+import type { Channel, Run } from "../contract";
+import type { LoadedDocument } from "../document";
 
 export type Column = Float64Array | Float32Array;
 
-const quaternion = ["qw", "qx", "qy", "qz"] as const;
+const quaternion = ["pose_qw", "pose_qx", "pose_qy", "pose_qz"] as const;
 
 // Channels of quaternions that stand together; q and -q are one rotation, so a step between them is no motion.
-function quaternionsOf(names: readonly string[]): Int32Array {
-  const index = new Map(names.map((name, i) => [name, i]));
-  const stems = names.filter((name) => name.endsWith(".pose.qw")).map((name) => name.slice(0, -2));
-  return Int32Array.from(stems.flatMap((stem) => quaternion.map((part) => index.get(stem + part) ?? -1)));
+function quaternionsOf(channels: Channels): Int32Array {
+  const owners = channels.list.flatMap(({ role, of = "" }) => (role === "pose_qw" ? [of] : []));
+  return Int32Array.from(owners.flatMap((of) => quaternion.map((part) => channels.find(part, of))));
 }
 
 export class Track {
   readonly time: Float64Array;
-  readonly names: readonly string[];
+  readonly channels: Channels;
   readonly row: Float64Array; // of all channels at the time last sampled
   at = NaN; // that time, held at the run's ends [s]
   private readonly columns: readonly Column[];
@@ -24,9 +25,9 @@ export class Track {
   constructor(readonly run: Run, readonly index: number, loaded: LoadedDocument) {
     this.columns = run.channels.map(({ column }) => loaded.column(column));
     this.time = Float64Array.from(this.columns[0] ?? []);
-    this.names = run.channels.map(({ name }) => name);
+    this.channels = new Channels(run.channels);
     this.row = new Float64Array(run.channels.length);
-    this.quaternions = quaternionsOf(this.names);
+    this.quaternions = quaternionsOf(this.channels);
   }
 
   get start(): number {
@@ -37,10 +38,10 @@ export class Track {
   }
 
   channel(name: string): Channel | null {
-    return this.run.channels[this.names.indexOf(name)] ?? null;
+    return this.channels.list[this.channels.named(name)] ?? null;
   }
   column(name: string): Column | null {
-    return this.columns[this.names.indexOf(name)] ?? null;
+    return this.columns[this.channels.named(name)] ?? null;
   }
 
   // Linear between rows; before the first and after the last the run stands still.

@@ -9,6 +9,7 @@ import type { World } from "./world";
 
 const parts: readonly { readonly part: CarPart; readonly label: string }[] = [
   { part: "body", label: "Body" },
+  { part: "solid", label: "Solid" },
   { part: "suspension", label: "Links" },
   { part: "wheels", label: "Wheels" },
   { part: "forces", label: "Forces" },

@@ -69,7 +69,7 @@ function actorsOf(tracks: readonly Track[]): Actor[] {
     const { scene } = track.run;
     if (scene === null) return [];
     const look = { series: several ? track.index : null, ghost: false };
-    return [{ track, car: new Car(scene, track.names, look), before: NaN }];
+    return [{ track, car: new Car(scene, track.channels, look), before: NaN }];
   });
   // Arrows compare only on one scale.
   const scale = Math.max(...actors.map(({ car }) => car.newtonsPerMeter));

@@ -1,6 +1,7 @@
 // One chart of a report: read by pointer or keys, zoomed by dragging, saved as numbers or as a picture, crisp on paper.
 import uPlot from "uplot";
-import type { ChartBlock, LoadedDocument } from "../document";
+import type { ChartBlock } from "../contract";
+import type { LoadedDocument } from "../document";
 import { element } from "../dom";
 import { onThemeChange } from "../theme";
 import { nearest, samplesOf, viewOf, visible, type Samples, type View, type Zoom } from "./curves";
@@ -12,14 +13,17 @@ import { dataOf, drawPicture, framePicture, optionsOf, showView, type Setting } 
 import { fitToWidth } from "./plot";
 import { announce, onPrint, shareCursor } from "./sharing";
 import { walk, type Place } from "./walk";
-import { chartText, sampleText, valueText } from "./words";
+import { chartText, sampleText, valueText, withPowers } from "./words";
 import "./chart.css";
 
 const onPaper = { width: 340, height: 200, dots: 3 }; // [px] of half a page, and how many dots each
 const inFile = { width: 640, height: 360, dots: 2 };
 
-export const createChart = (block: ChartBlock, loaded: LoadedDocument): HTMLElement =>
-  new Chart(block, samplesOf(block, loaded), conesOf(block, loaded)).root;
+export function createChart(block: ChartBlock, loaded: LoadedDocument): HTMLElement {
+  const shown = withPowers(block);
+  const save = (): void => saveCsv(block, samplesOf(block, loaded));
+  return new Chart(shown, samplesOf(shown, loaded), conesOf(shown, loaded), save).root;
+}
 
 class Chart {
   readonly root: HTMLElement;
@@ -48,6 +52,7 @@ class Chart {
     private readonly block: ChartBlock,
     private readonly curves: readonly Samples[],
     private readonly cones: readonly Samples[],
+    private readonly saveNumbers: () => void,
   ) {
     this.around = [...cones, ...endsOf(block)];
     this.unnamed = curves.length === 1 && curves[0]?.label === "";
@@ -82,7 +87,7 @@ class Chart {
           "span",
           { class: "actions" },
           this.reset,
-          button("CSV", "Numbers", () => saveCsv(this.block, this.curves)),
+          button("CSV", "Numbers", this.saveNumbers),
           button("PNG", "Picture", () => this.save()),
         ),
       ),

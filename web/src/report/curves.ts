@@ -1,5 +1,6 @@
 // The curves of one chart as numbers: what of them is seen, and which sample is nearest.
-import type { ChartBlock, Curve, LoadedDocument } from "../document";
+import type { ChartBlock, Curve } from "../contract";
+import type { LoadedDocument } from "../document";
 import { roundLimits, roundLogarithmicLimits } from "./style";
 
 type Column = Float64Array | Float32Array;
@@ -115,10 +116,10 @@ export function nearest(curve: Samples, x: number, distance: (x: number, y: numb
     return apart > step && count > 1 ? null : i;
   }
   let best: number | null = null;
-  let least = Infinity;
+  let nearest = Infinity;
   for (let i = 0; i < count; ++i) {
     const here = visible(curve, i) ? distance(curve.x[i] ?? NaN, curve.y[i] ?? NaN) : Infinity;
-    if (here < least) [best, least] = [i, here];
+    if (here < nearest) [best, nearest] = [i, here];
   }
   return best;
 }

@@ -1,8 +1,7 @@
 // A chart's numbers and picture as files.
-import type { ChartBlock } from "../document";
+import type { ChartBlock } from "../contract";
 import { download } from "../dom";
 import type { Samples } from "./curves";
-import { lowerPowers } from "./numbers";
 
 type Column = Samples["x"];
 
@@ -33,7 +32,7 @@ export function csvOf(block: ChartBlock, curves: readonly Samples[]): string {
     columns.push([named(block.y.label), curve.y]);
   }
   const rows = Math.max(0, ...columns.map(([, column]) => column.length));
-  const lines = [columns.map(([name]) => quoted(lowerPowers(name))).join(",")];
+  const lines = [columns.map(([name]) => quoted(name)).join(",")];
   for (let i = 0; i < rows; ++i)
     lines.push(columns.map(([, column]) => digits(column[i], column instanceof Float32Array)).join(","));
   return lines.join("\n") + "\n";

@@ -1,6 +1,7 @@
 // What stands beside the curves of a chart: cones, barriers, limits. And charts that are maps, both axes to one scale.
 import uPlot from "uplot";
-import type { ChartBlock, LoadedDocument } from "../document";
+import type { ChartBlock } from "../contract";
+import type { LoadedDocument } from "../document";
 import { color } from "../theme";
 import type { Limits, Samples, View } from "./curves";
 import type { LegendEntry } from "./legend";
@@ -33,7 +34,7 @@ const widened = ([low, high]: Limits, span: number): Limits => {
   return [middle - span / 2, middle + span / 2];
 };
 
-// The least view that shows all of this one on so many pixels with both axes to one scale.
+// The smallest view that shows all of this one on so many pixels with both axes to one scale.
 export function leveled({ x, y }: View, { width, height }: { readonly width: number; readonly height: number }): View {
   const scale = Math.max((x[1] - x[0]) / width, (y[1] - y[0]) / height);
   return { x: widened(x, scale * width), y: widened(y, scale * height) };

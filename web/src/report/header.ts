@@ -1,5 +1,5 @@
 // The head of a page: what it shows, what made it, and the choice of light and dark.
-import type { PageDocument } from "../document";
+import type { PageDocument } from "../contract";
 import { drawing, element } from "../dom";
 import { chooseTheme, chosenTheme, type Theme } from "../theme";
 import { showKeys } from "./help";

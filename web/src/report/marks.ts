@@ -1,6 +1,6 @@
 // Vertical lines with their names, like flags above the plot: no curve is hidden.
 import uPlot from "uplot";
-import type { ChartBlock } from "../document";
+import type { ChartBlock } from "../contract";
 import { color } from "../theme";
 import type { View } from "./curves";
 import { font, typeSize } from "./style";

@@ -1,4 +1,5 @@
 // Numbers and units as people read them: few digits, the same for all of one axis or column, a true minus sign.
+import { roundOff } from "../contract";
 
 const raised = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 const signed = (text: string): string => text.replace("-", "−");
@@ -54,7 +55,18 @@ export function logarithmicTickTexts(ticks: readonly (number | null)[]): string[
   return ticks.map((tick) => (tick === null ? "" : text(Number(tick.toPrecision(6)))));
 }
 
-// "m/s^2" as "m/s²", and back for files.
+// "m/s^2" as "m/s²", where a unit is shown: units alone, so that a file "run^2.nc" keeps its name.
 export const raisePowers = (text: string): string =>
-  text.replace(/([a-z)])\^([23])(?!\d)/gi, (_all, before: string, digit: string) => before + raised[Number(digit)]);
-export const lowerPowers = (text: string): string => text.replaceAll("²", "^2").replaceAll("³", "^3");
+  text.replace(
+    /((?<![A-Za-z])(?:m|mm|km|s|kg|N|rad|deg|Hz)|\))\^([23])(?![\w.])/g,
+    (_all, before: string, digit: string) => before + raised[Number(digit)],
+  );
+// On an instrument: "deg/s" as "°/s".
+export const unitSymbol = (unit: string): string => raisePowers(unit).replace(/\bdeg\b/g, "°");
+
+// Of its like, or of one of its unit, nothing but round-off.
+export const withoutRoundOff = (value: number, size: number): number =>
+  Math.abs(value) < roundOff * Math.max(size, 1) ? 0 : value;
+export const largest = (values: ArrayLike<number>): number =>
+  Array.prototype.reduce.call<ArrayLike<number>, [(max: number, value: number) => number, number], number>(
+    values, (max, value) => Math.max(max, Math.abs(value) || 0), 0);

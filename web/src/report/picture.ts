@@ -1,6 +1,6 @@
 // uPlot set up for one chart, on the screen and, larger, as a picture for paper.
 import uPlot from "uplot";
-import type { ChartBlock } from "../document";
+import type { ChartBlock } from "../contract";
 import { color, seriesColor, seriesDash } from "../theme";
 import { visible, type Samples, type View } from "./curves";
 import type { LegendEntry } from "./legend";

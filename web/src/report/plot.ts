@@ -61,6 +61,7 @@ export function fitToWidth(
     if (width === 0) return;
     plot.setSize({ width, height: height(width) });
     fitted();
+    host.dataset["fitted"] = String(width);
   });
   observer.observe(host);
   return () => observer.disconnect();

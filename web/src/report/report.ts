@@ -1,8 +1,10 @@
 // The blocks of a document in their order: charts that follow each other share a grid, tables a row; all else takes the
 // width.
-import type { Block, LoadedDocument } from "../document";
+import type { Block } from "../contract";
+import type { LoadedDocument } from "../document";
 import { element } from "../dom";
 import { createChart } from "./chart";
+import { raisePowers } from "./numbers";
 import { createTable } from "./table";
 import { createVerdicts } from "./verdicts";
 
@@ -15,9 +17,9 @@ const columnsFor = (count: number): number => (count === 4 ? 2 : Math.max(Math.m
 function elementOf(block: Block, loaded: LoadedDocument, placeReplay: PlaceReplay): HTMLElement {
   switch (block.kind) {
     case "heading":
-      return element("h2", {}, block.text);
+      return element("h2", {}, raisePowers(block.text));
     case "text":
-      return element("p", {}, block.text);
+      return element("p", {}, raisePowers(block.text));
     case "chart":
       return createChart(block, loaded);
     case "table":

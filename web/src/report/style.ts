@@ -87,6 +87,7 @@ const leastSpan = 1e-4; // over the largest number: what varies less is drawn as
 // Limits a little wider than the data, at round numbers; zero draws a limit to itself, and what is as good as equal is parted.
 export function roundLimits(low: number, high: number): [number, number] {
   if (!(low <= high)) return [0, 1];
+  if (low === 0 && high === 0) return [-1, 1];
   const magnitude = Math.max(Math.abs(low), Math.abs(high));
   const flat = high - low <= leastSpan * magnitude;
   const pad = flat ? magnitude / 10 || 1 : (high - low) * 0.06;

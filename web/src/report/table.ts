@@ -1,12 +1,12 @@
 // A table as a journal sets it: few rules, numbers under numbers; where a column names units, numbers of one row belong
 // together. The full number is in the cell's title.
-import type { Cell, TableBlock } from "../document";
+import type { Cell, TableBlock } from "../contract";
 import { element } from "../dom";
-import { fixed, significant } from "./numbers";
+import { fixed, raisePowers, significant, withoutRoundOff } from "./numbers";
 import "./table.css";
 
 const digits = 4;
-const fewDigits = 3; // of the least number beside a large one
+const fewDigits = 3; // of the smallest number beside a large one
 const aligned = 1e3; // numbers that differ more than so have no decimals in common
 const manyRows = 40; // of a table that scrolls
 
@@ -29,18 +29,20 @@ function alone(value: number): string {
   return text === null ? significant(value, digits) : fixed(value, decimalsOf(text));
 }
 
-// Numbers that belong together have as many decimals as the largest needs and the least is to keep.
+// Numbers that belong together have as many decimals as the largest needs and the smallest is to keep.
 function formatOf(cells: readonly Cell[]): Format {
-  const numbers = cells.filter((cell) => typeof cell === "number" && Number.isFinite(cell)) as number[];
+  const numbers = cells
+    .filter((cell) => typeof cell === "number" && Number.isFinite(cell))
+    .map((cell) => withoutRoundOff(cell as number, 0));
   const texts = numbers.map(typed);
   if (texts.every((text) => text !== null)) {
     const decimals = Math.max(0, ...texts.map(decimalsOf));
     return (value) => fixed(value, decimals);
   }
   const sizes = numbers.map(Math.abs).filter((size) => size > 0);
-  const [least, largest] = [Math.min(...sizes), Math.max(...sizes)];
-  if (!(largest < 1e7 && least >= 1e-4 && largest / least < aligned)) return alone;
-  const decimals = Math.max(0, digits - 1 - magnitude(largest), fewDigits - 1 - magnitude(least));
+  const [smallest, largest] = [Math.min(...sizes), Math.max(...sizes)];
+  if (!(largest < 1e7 && smallest >= 1e-4 && largest / smallest < aligned)) return alone;
+  const decimals = Math.max(0, digits - 1 - magnitude(largest), fewDigits - 1 - magnitude(smallest));
   return (value) => (Number.isFinite(value) ? fixed(value, decimals) : significant(value));
 }
 
@@ -52,7 +54,7 @@ function kindOf(cells: readonly Cell[]): string | null {
 
 function cellOf(cell: Cell, format: Format, kind: string | null, leads: boolean): HTMLElement {
   if (cell === null) return element("td", { class: kind }, element("span", { "aria-label": "none" }, "–"));
-  if (typeof cell === "number") return element("td", { class: kind, title: String(cell) }, format(cell));
+  if (typeof cell === "number") return element("td", { class: kind, title: String(cell) }, format(withoutRoundOff(cell, 0)));
   return leads ? element("th", { scope: "row", class: kind }, cell) : element("td", { class: kind }, cell);
 }
 
@@ -66,11 +68,14 @@ export function createTable({ title, columns, rows }: TableBlock): HTMLElement {
       "th",
       { scope: "col", class: kinds[i] === "number" ? "number" : null },
       name,
-      unit === "" || unit === "1" ? null : element("span", { class: "unit" }, ` [${unit}]`),
+      unit === "" || unit === "1" ? null : element("span", { class: "unit" }, ` [${raisePowers(unit)}]`),
     ),
   );
-  const cellAt = (row: number, i: number): HTMLElement =>
-    cellOf(rows[row]?.[i] ?? null, formats[byRow ? row : i] ?? String, kinds[i] ?? null, i === 0);
+  const cellAt = (row: number, i: number): HTMLElement => {
+    const cell = rows[row]?.[i] ?? null;
+    const shown = typeof cell === "string" && columns[i]?.name === "unit" ? raisePowers(cell) : cell;
+    return cellOf(shown, formats[byRow ? row : i] ?? String, kinds[i] ?? null, i === 0);
+  };
   const body = rows.map((_row, at) => element("tr", {}, ...columns.map((_column, i) => cellAt(at, i))));
   const table = element(
     "table",

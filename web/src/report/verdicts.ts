@@ -1,6 +1,7 @@
 // What was to be passed and whether it was: in words first, with a sign beside them, and never by color alone.
-import type { Verdict } from "../document";
+import type { Verdict } from "../contract";
 import { drawing, element } from "../dom";
+import { raisePowers } from "./numbers";
 import "./verdicts.css";
 
 const check = "M3 8.5L6.5 12L13 4.5";
@@ -32,7 +33,13 @@ const itemOf = ({ criterion, passed, found }: Judged): HTMLElement =>
     { class: classOf(passed) },
     verdictSign(passed),
     element("span", { class: "word" }, verdictWord(passed)),
-    element("span", { class: "criterion" }, criterion, found === "" ? null : ": ", element("b", {}, found)),
+    element(
+      "span",
+      { class: "criterion" },
+      raisePowers(criterion),
+      found === "" ? null : ": ",
+      element("b", {}, raisePowers(found)),
+    ),
   );
 
 export const createVerdictList = (list: readonly Judged[]): HTMLElement =>

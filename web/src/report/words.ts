@@ -1,7 +1,22 @@
 // A chart in words, for those who do not see it.
-import type { Axis, ChartBlock } from "../document";
+import type { Axis, ChartBlock } from "../contract";
 import { visible, type Limits, type Samples, type View } from "./curves";
-import { reading } from "./numbers";
+import { raisePowers, reading } from "./numbers";
+
+// Units of all its texts as people read them.
+export function withPowers(block: ChartBlock): ChartBlock {
+  const raised = <Labeled extends { readonly label: string }>(one: Labeled): Labeled =>
+    ({ ...one, label: raisePowers(one.label) });
+  return {
+    ...block,
+    title: raisePowers(block.title),
+    x: raised(block.x),
+    y: raised(block.y),
+    curves: block.curves.map(raised),
+    marks: block.marks.map(raised),
+    ...(block.horizontal_marks ? { horizontal_marks: block.horizontal_marks.map(raised) } : {}),
+  };
+}
 
 const partsOf = ({ label }: Axis): readonly [string, string] => {
   const [, name = label, unit = ""] = /^(.*?)\s*\[(.*)\]$/.exec(label) ?? [];

@@ -1,7 +1,7 @@
-// Boxes around the bodywork, and the soft shadow under each.
+// The bodies of a vehicle by their styles, and the soft shadow under each.
 import * as THREE from "three";
-import { RoundedBoxGeometry } from "three/addons/geometries/RoundedBoxGeometry.js";
-import type { Scene } from "../document";
+import type { Scene, Wheel } from "../contract";
+import { bodyShape } from "./bodies/styles";
 import type { Frames } from "./frames";
 import type { Paint } from "./paint";
 
@@ -39,25 +39,35 @@ const shadowMaterial = (): THREE.ShaderMaterial =>
 class Shell {
   readonly root = new THREE.Group();
   readonly shadow: THREE.Mesh<THREE.PlaneGeometry, THREE.ShaderMaterial>;
+  private readonly mesh: THREE.Mesh<THREE.BufferGeometry, THREE.Material | THREE.Material[]>;
+  private readonly styled: boolean; // otherwise a box that one always sees through
   private readonly middle: THREE.Vector3;
   private readonly half: THREE.Vector2;
   private readonly disposables: { dispose(): void }[];
 
-  constructor(private readonly box: Box, paint: Paint) {
+  constructor(private readonly box: Box, wheels: readonly Wheel[], private readonly paint: Paint) {
     const low = new THREE.Vector3(...box.low);
     const size = new THREE.Vector3(...box.high).sub(low);
     this.middle = low.clone().addScaledVector(size, 0.5);
     this.half = new THREE.Vector2(size.x / 2 + margin, size.y / 2 + margin);
-    const radius = 0.14 * Math.min(size.x, size.y, size.z);
-    const shape = new RoundedBoxGeometry(size.x, size.y, size.z, 5, radius).translate(...this.middle.toArray());
+    const { shape, styled } = bodyShape(box, wheels);
+    this.styled = styled;
     this.shadow = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), shadowMaterial());
     this.shadow.material.uniforms["extent"]!.value = this.half;
     this.shadow.renderOrder = -5;
     this.shadow.matrixAutoUpdate = this.root.matrixAutoUpdate = false;
-    const shell = new THREE.Mesh(shape, paint.body);
-    shell.renderOrder = 4;
-    this.root.add(shell);
+    this.mesh = new THREE.Mesh<THREE.BufferGeometry, THREE.Material | THREE.Material[]>(shape, paint.body);
+    this.mesh.renderOrder = 4;
+    this.root.add(this.mesh);
+    this.setSolid(true);
     this.disposables = [shape, this.shadow.geometry, this.shadow.material];
+  }
+
+  setSolid(on: boolean): void {
+    const { paint, box } = this;
+    if (!this.styled) return;
+    this.mesh.material = on ? paint.bodywork(box.style === "box") : paint.outline;
+    this.mesh.renderOrder = on ? -1 : 4; // before what it hides, after what is seen through it
   }
 
   update(frames: Frames, slope: readonly [number, number], ground: number): void {
@@ -93,10 +103,26 @@ export class Body {
   readonly shadows = new THREE.Group();
   private readonly shells: readonly Shell[];
 
-  constructor(boxes: readonly Box[], private readonly slope: readonly [number, number], paint: Paint) {
-    this.shells = boxes.map((box) => new Shell(box, paint));
+  private isSolid = true;
+
+  constructor(scene: Scene, private readonly slope: readonly [number, number], paint: Paint) {
+    const unitOf = ({ frame }: Wheel): number => scene.frames[frame]?.unit ?? 0;
+    this.shells = scene.bodies.map((box) => new Shell(box, scene.wheels.filter((wheel) => unitOf(wheel) === box.unit), paint));
     this.root.add(...this.shells.map((shell) => shell.root));
     this.shadows.add(...this.shells.map((shell) => shell.shadow));
+  }
+
+  set shellsVisible(on: boolean) {
+    for (const shell of this.shells) shell.root.visible = on;
+  }
+
+  // Otherwise one sees through it to the linkages.
+  get solid(): boolean {
+    return this.isSolid;
+  }
+  set solid(on: boolean) {
+    this.isSolid = on;
+    for (const shell of this.shells) shell.setSolid(on);
   }
 
   // ground: the road's height under the car, measured from the frames' place, where its slope is taken out

@@ -1,6 +1,7 @@
 // One vehicle drawn from its own hardpoints: the motor vehicle and what it pulls.
 import * as THREE from "three";
-import type { Scene } from "../document";
+import type { Channels } from "../channels";
+import type { Scene } from "../contract";
 import { Body } from "./body";
 import { Forces } from "./forces";
 import { Frames } from "./frames";
@@ -9,7 +10,8 @@ import { Paint, plainLook, type CarLook } from "./paint";
 import { Wheels } from "./wheels";
 
 export { plainLook, type CarLook };
-export type CarPart = "body" | "forces" | "suspension" | "wheels";
+// solid: the body hides what is behind it.
+export type CarPart = "body" | "solid" | "forces" | "suspension" | "wheels";
 
 // Design extents of the motor vehicle and of the whole, for cameras [m].
 export interface Extent {
@@ -53,19 +55,19 @@ export class Car {
   private readonly heights: readonly number[]; // channels: contact's height of each tire
   private readonly slope: readonly [number, number];
 
-  constructor(readonly scene: Scene, channelNames: readonly string[], look: CarLook = plainLook) {
+  constructor(readonly scene: Scene, channels: Channels, look: CarLook = plainLook) {
     const radius = meanRadius(scene);
     const size = radius / 0.3;
     this.slope = [scene.road.grade, scene.road.bank];
     this.newtonsPerMeter = radius > 0.42 ? 30e3 : 6e3;
     this.extent = extentOf(scene);
-    this.frames = new Frames(scene.frames, scene.units, channelNames);
+    this.frames = new Frames(scene.frames, scene.units, channels);
     this.paint = new Paint(look);
     this.links = new Links(scene.links, size, this.paint);
-    this.wheels = new Wheels(scene.wheels, channelNames, this.paint);
-    this.forces = new Forces(scene.tires, channelNames, this.slope, size, this.paint);
-    this.body = new Body(scene.bodies, this.slope, this.paint);
-    this.heights = scene.tires.map(({ name }) => channelNames.indexOf(`${name}.contact.z`));
+    this.wheels = new Wheels(scene.wheels, channels, this.paint);
+    this.forces = new Forces(scene.tires, channels, this.slope, size, this.paint);
+    this.body = new Body(scene, this.slope, this.paint);
+    this.heights = scene.tires.map(({ name }) => channels.find("contact_z", name));
     this.root.add(this.body.shadows, this.links.root, this.wheels.root, this.body.root, this.forces.root);
   }
 
@@ -92,11 +94,17 @@ export class Car {
   }
 
   show(part: CarPart, on: boolean): void {
-    this.part(part).visible = on;
+    if (part === "solid") this.body.solid = on;
+    else this.part(part).visible = on;
   }
 
   shows(part: CarPart): boolean {
-    return this.part(part).visible;
+    return part === "solid" ? this.body.solid : this.part(part).visible;
+  }
+
+  // A driver sees the road, not the inside of a shell.
+  setSeenFromWithin(on: boolean): void {
+    this.body.shellsVisible = !on;
   }
 
   setGhost(on: boolean): void {
@@ -111,7 +119,7 @@ export class Car {
     for (const part of [this.links, this.wheels, this.forces, this.body, this.paint]) part.dispose();
   }
 
-  private part(part: CarPart): THREE.Group {
+  private part(part: Exclude<CarPart, "solid">): THREE.Group {
     return { body: this.body, forces: this.forces, suspension: this.links, wheels: this.wheels }[part].root;
   }
 

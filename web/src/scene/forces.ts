@@ -1,11 +1,14 @@
 // Force of the road on each tire, at the contact: the whole of it, and its share along the ground, which is friction.
 import * as THREE from "three";
-import type { TireTrace } from "../document";
+import type { Channels } from "../channels";
+import type { TireTrace } from "../contract";
 import type { Paint } from "./paint";
 import { writeColumns } from "./pieces";
 import * as shapes from "./shapes";
 
-const axes = ["x", "y", "z"] as const;
+const parts = [
+  "contact_x", "contact_y", "contact_z", "ground_force_x", "ground_force_y", "ground_force_z",
+] as const;
 
 class Arrows {
   readonly shafts: THREE.InstancedMesh;
@@ -55,16 +58,12 @@ export class Forces {
 
   constructor(
     private readonly tires: readonly TireTrace[],
-    names: readonly string[],
+    channels: Channels,
     private readonly slope: readonly [number, number], // of the road: rise along x and y
     size: number,
     paint: Paint,
   ) {
-    this.channels = Int32Array.from(
-      tires.flatMap(({ name }) =>
-        ["contact", "ground_force"].flatMap((what) => axes.map((axis) => names.indexOf(`${name}.${what}.${axis}`))),
-      ),
-    );
+    this.channels = Int32Array.from(tires.flatMap(({ name }) => parts.map((part) => channels.find(part, name))));
     this.whole = new Arrows(paint.force, tires.length, 0.016 * size);
     this.friction = new Arrows(paint.friction, tires.length, 0.011 * size);
     this.root.add(this.friction.shafts, this.friction.heads, this.whole.shafts, this.whole.heads);

@@ -1,9 +1,10 @@
 // Where everything of a car is: poses of its frames out of a row of channels. Numbers are doubles and measured from the
 // car's own place, so that pictures stay sharp kilometers from the origin, where floats of the graphics card would not.
 import type { Matrix4 } from "three";
-import type { Frame, FramePoint } from "../document";
+import type { Channels } from "../channels";
+import type { Frame, FramePoint } from "../contract";
 
-const components = ["x", "y", "z", "qw", "qx", "qy", "qz"] as const;
+const components = ["pose_x", "pose_y", "pose_z", "pose_qw", "pose_qx", "pose_qy", "pose_qz"] as const;
 const atDesign = [0, 0, 0, 1, 0, 0, 0] as const;
 const poseSize = 12; // rotation row after row, then position
 
@@ -17,11 +18,10 @@ export class Frames {
   constructor(
     private readonly frames: readonly Frame[],
     private readonly units: number,
-    channelNames: readonly string[],
+    channels: Channels,
   ) {
-    const index = new Map(channelNames.map((name, i) => [name, i]));
     this.channels = Int32Array.from(
-      frames.flatMap((frame) => components.map((component) => index.get(`${frame.name}.pose.${component}`) ?? -1)),
+      frames.flatMap(({ name }) => components.map((component) => channels.find(component, name))),
     );
     this.poses = new Float64Array(frames.length * poseSize);
     this.update([]);

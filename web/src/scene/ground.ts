@@ -1,7 +1,7 @@
 // What the road is painted with: a grid of 1 m and 10 m that fades before it flickers, tinted patches of other
 // friction, haze toward the horizon. One shader for the even plane and for tiles of an uneven road.
 import * as THREE from "three";
-import type { RoadScene } from "../document";
+import type { RoadScene } from "../contract";
 import { color } from "../theme";
 
 export const hazeDistance = 260; // [m]
@@ -40,6 +40,7 @@ const fragmentShader = `
   varying vec3 vView;
   varying vec2 vSlope;
   uniform vec3 base, line, haze, slick, grippy;
+  uniform sampler2D grain;
   #if PATCHES > 0
     uniform vec4 patches[PATCHES]; // x, y low, x, y high
     uniform float grips[PATCHES]; // against the road's own
@@ -55,7 +56,9 @@ const fragmentShader = `
   }
 
   void main() {
-    vec3 paint = base;
+    float chippings = texture2D(grain, vGrid * 0.5).r - 0.5; // its mipmaps fade before it flickers
+    float wear = texture2D(grain, vGrid * 0.01).r - 0.5;
+    vec3 paint = base * (1.0 + 0.2 * chippings + 0.16 * wear);
     #if PATCHES > 0
       for (int i = 0; i < PATCHES; ++i) {
         vec2 soft = max(fwidth(vGround), vec2(1e-4));
@@ -67,23 +70,53 @@ const fragmentShader = `
     #endif
     vec3 up = normalize(vec3(-vSlope, 1.0));
     paint *= 1.0 + 1.6 * (dot(up, vec3(-0.45, 0.35, 0.82)) - 0.82);
-    float lines = max(grid(vGrid, 0.022) * 0.55, grid(vGrid * 0.1, 0.0055));
+    float lines = max(grid(vGrid, 0.018) * 0.3, grid(vGrid * 0.1, 0.005) * 0.8);
     paint = mix(paint, line, lines);
     float far = length(vView) / ${hazeDistance.toFixed(1)};
     gl_FragColor = vec4(mix(haze, paint, exp(-far * far)), 1.0);
     #include <colorspace_fragment>
   }`;
 
-const names = { base: "ground", line: "ground-line", haze: "sky", grippy: "asphalt" } as const;
+const names = { base: "road", line: "ground-line", haze: "sky", grippy: "asphalt" } as const;
 const hue = { h: 0, s: 0, l: 0 };
 
 // Nearly as light as the ground, so that a patch lies in it and not on it.
 function slickShade(out: THREE.Color): void {
   out.set(color("accent")).getHSL(hue);
   const { h, s } = hue;
-  out.set(color("ground")).getHSL(hue);
+  out.set(color("road")).getHSL(hue);
   out.setHSL(h, 0.36 * s, THREE.MathUtils.lerp(hue.l, 0.5, 0.2));
 }
+
+// Asphalt: gray noise of fine and coarse grains that repeats without a seam. 100 m of wear and 2 m of chippings divide 100 m.
+function makeGrain(): THREE.DataTexture {
+  const size = 128;
+  const bytes = new Uint8Array(size * size);
+  let seed = 1;
+  const random = (): number => (seed = (seed * 16807) % 2147483647) / 2147483647;
+  const layer = (cells: number): Float32Array => Float32Array.from({ length: cells * cells }, random);
+  const layers = [[128, 0.5], [32, 0.3], [8, 0.2]].map(([cells = 1, share = 0]) => ({ cells, share, values: layer(cells) }));
+  const smooth = (t: number): number => t * t * (3 - 2 * t);
+  for (let i = 0; i < bytes.length; ++i) {
+    let sum = 0;
+    for (const { cells, share, values } of layers) {
+      const [x, y] = [((i % size) * cells) / size, (Math.floor(i / size) * cells) / size];
+      const [cx, cy] = [Math.floor(x), Math.floor(y)];
+      const [tx, ty] = [smooth(x - cx), smooth(y - cy)];
+      const at = (dx: number, dy: number): number => values[((cy + dy) % cells) * cells + ((cx + dx) % cells)] ?? 0;
+      sum += share * ((at(0, 0) * (1 - tx) + at(1, 0) * tx) * (1 - ty) + (at(0, 1) * (1 - tx) + at(1, 1) * tx) * ty);
+    }
+    bytes[i] = 255 * sum;
+  }
+  const texture = new THREE.DataTexture(bytes, size, size, THREE.RedFormat);
+  texture.wrapS = texture.wrapT = THREE.RepeatWrapping;
+  texture.magFilter = THREE.LinearFilter;
+  texture.minFilter = THREE.LinearMipmapNearestFilter;
+  texture.generateMipmaps = true;
+  texture.needsUpdate = true;
+  return texture;
+}
+let grain: THREE.DataTexture | null = null; // of all roads
 
 export class GroundPaint {
   readonly plane: THREE.ShaderMaterial;
@@ -92,6 +125,7 @@ export class GroundPaint {
 
   constructor(road: RoadScene) {
     this.uniforms = {
+      grain: { value: (grain ??= makeGrain()) },
       slope: { value: new THREE.Vector2(road.grade, road.bank) },
       patches: { value: road.patches.map(({ x, y }) => new THREE.Vector4(x[0], y[0], x[1], y[1])) },
       grips: { value: road.patches.map(({ friction }) => Math.max(friction / (road.friction || 1), 0.05)) },

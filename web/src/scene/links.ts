@@ -1,6 +1,6 @@
 // Links of the suspensions by what they are: rods with their joints, bushes, coils, dampers, struts.
 import * as THREE from "three";
-import type { Link, LinkKind } from "../document";
+import type { Link, LinkKind } from "../contract";
 import { Points, type Frames } from "./frames";
 import type { Paint } from "./paint";
 import { Pieces, type Piece } from "./pieces";

@@ -25,6 +25,23 @@ function stretchable(material: THREE.MeshStandardMaterial): THREE.MeshStandardMa
   return material;
 }
 
+// What shines like lacquer or glass shows the sky where it is seen at a low angle.
+function reflecting(material: THREE.MeshLambertMaterial, share: number): THREE.MeshLambertMaterial {
+  material.onBeforeCompile = (shader) => {
+    shader.fragmentShader = shader.fragmentShader.replace("#include <opaque_fragment>", `
+      vec3 toEye = normalize(vViewPosition);
+      float mirrored = dot(reflect(-toEye, normal), mat3(viewMatrix) * vec3(0.0, 0.0, 1.0));
+      float bright = smoothstep(-0.08, 0.12, mirrored) * (0.55 + 0.45 * clamp(mirrored, 0.0, 1.0));
+      float grazing = 1.0 - abs(dot(normal, toEye));
+      outgoingLight += ${share.toFixed(2)} * bright * (0.12 + 0.88 * grazing * grazing * grazing * grazing) * vec3(0.86, 0.92, 1.0);
+      #include <opaque_fragment>`);
+  };
+  return material;
+}
+
+// Much of a picture is body: its light is the cheapest there is, and what shines adds the sky.
+const bodyMaterial = (): THREE.MeshLambertMaterial => new THREE.MeshLambertMaterial({ side: THREE.DoubleSide });
+
 // A shell that one sees through, and whose rounded edges show where it ends.
 const glass = (): THREE.ShaderMaterial =>
   new THREE.ShaderMaterial({
@@ -43,11 +60,12 @@ const glass = (): THREE.ShaderMaterial =>
       uniform float strength;
       void main() {
         float grazing = 1.0 - abs(dot(normalize(outward), normalize(away)));
-        gl_FragColor = vec4(shade, strength * (0.07 + 0.4 * grazing * grazing * grazing));
+        gl_FragColor = vec4(shade, strength * (0.05 + 0.34 * grazing * grazing * grazing));
         #include <colorspace_fragment>
       }`,
     transparent: true,
     depthWrite: false,
+    side: THREE.DoubleSide,
   });
 
 const shadedByVertex = (roughness: number, metalness: number): THREE.MeshStandardMaterial =>
@@ -64,6 +82,13 @@ export class Paint {
   readonly rubber = shadedByVertex(0.9, 0);
   readonly rim = shadedByVertex(0.35, 0.5);
   readonly body = glass();
+  readonly lacquer = reflecting(bodyMaterial(), 0.34);
+  readonly boxWall = bodyMaterial();
+  readonly window = reflecting(bodyMaterial(), 0.7);
+  readonly trim = bodyMaterial();
+  readonly headlamp = reflecting(bodyMaterial(), 0.5);
+  readonly taillamp = reflecting(bodyMaterial(), 0.3);
+  readonly unseen = new THREE.MeshBasicMaterial({ visible: false });
   readonly force = overlay();
   readonly friction = overlay();
 
@@ -74,6 +99,14 @@ export class Paint {
     this.rim.side = THREE.DoubleSide; // the barrel is seen from within
     this.series = look.series;
     this.setGhost(look.ghost);
+  }
+
+  // For the groups of a body's shape (bodies/surface.ts).
+  bodywork(isBox: boolean): THREE.Material[] {
+    return [isBox ? this.boxWall : this.lacquer, this.window, this.trim, this.headlamp, this.taillamp];
+  }
+  get outline(): THREE.Material[] {
+    return [this.body, this.unseen, this.unseen, this.body, this.body];
   }
 
   setGhost(on: boolean): void {
@@ -97,6 +130,12 @@ export class Paint {
     this.spring.color.set(solid("series-2"));
     this.rubber.color.set(solid("tire"));
     this.rim.color.set(solid("metal")).lerp(new THREE.Color(1, 1, 1), 0.35);
+    this.lacquer.color.set(own ?? color("lacquer"));
+    this.boxWall.color.set(ghost && own !== null ? own : color("box-wall"));
+    this.window.color.set(color("window"));
+    this.trim.color.set(color("trim"));
+    this.headlamp.color.set(color("headlamp"));
+    this.taillamp.color.set(color("taillamp"));
     (this.body.uniforms["shade"]!.value as THREE.Color).set(own ?? color("accent"));
     this.body.uniforms["strength"]!.value = ghost ? 0.6 : 1;
     this.force.color.set(ghost && own !== null ? own : color("series-3"));
@@ -104,10 +143,12 @@ export class Paint {
   }
 
   dispose(): void {
-    for (const material of [...this.solids, this.body, this.force, this.friction]) material.dispose();
+    const others = [this.body, this.unseen, this.force, this.friction];
+    for (const material of [...this.solids, ...others]) material.dispose();
   }
 
   private get solids(): readonly THREE.Material[] {
-    return [this.metal, this.dark, this.carrier, this.spring, this.rubber, this.rim];
+    const parts = [this.metal, this.dark, this.carrier, this.spring, this.rubber, this.rim];
+    return [...parts, this.lacquer, this.boxWall, this.window, this.trim, this.headlamp, this.taillamp];
   }
 }

@@ -10,7 +10,7 @@ export interface Piece {
   readonly radius: number; // [m]
 }
 
-// Its own x axis is the direction that leans least to its line at design: turning with frame a, it never jumps.
+// Its own x axis is the direction that leans the least to its line at design: turning with frame a, it never jumps.
 function leastAligned(points: Points, piece: Piece): number {
   const a = points.list[piece.a]!.point;
   const b = points.list[piece.b]!.point;

@@ -1,6 +1,7 @@
 // The road in the picture: an endless plane, tiles over it where it is uneven, cones.
 import * as THREE from "three";
-import { tileSize, type RoadScene, type RoadTile } from "../document";
+import { tileSize, type RoadScene } from "../contract";
+import { type RoadTile } from "../document";
 import { color } from "../theme";
 import { GroundPaint } from "./ground";
 import { MarkingPaint, noMarkings, type Markings } from "./markings";

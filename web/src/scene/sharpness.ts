@@ -3,7 +3,7 @@
 const enough = 1 / 40; // between pictures that follow each other [s]
 export const paused = 0.25; // longer than that nobody was drawing [s]
 const patience = 20; // slow pictures in a row, less the quick ones
-const least = 0.5; // pixels of ours to one of the page
+const minRatio = 0.5; // pixels of ours to one of the page
 
 // Whether pictures are drawn by the processor: then smooth edges would halve their number.
 export function drawsInSoftware(): boolean {
@@ -23,7 +23,7 @@ export class Sharpness {
   // Pixels to draw for one of the page.
   get ratio(): number {
     const share = this.resting ? 1 : this.share;
-    return Math.max(Math.min(devicePixelRatio, 2) * share, Math.min(least, devicePixelRatio));
+    return Math.max(Math.min(devicePixelRatio, 2) * share, Math.min(minRatio, devicePixelRatio));
   }
 
   // Nothing moves any more. True if there are more pixels now.
@@ -40,7 +40,7 @@ export class Sharpness {
       return this.share < 1;
     }
     this.slow = Math.max(this.slow + (seconds > enough ? 1 : -1), 0);
-    if (this.slow < patience || this.ratio <= least) return false;
+    if (this.slow < patience || this.ratio <= minRatio) return false;
     this.slow = 0;
     this.share *= 0.75;
     return true;

@@ -6,7 +6,11 @@ import { hazeDistance } from "./ground";
 export class Sky {
   readonly root = new THREE.Group();
   readonly haze = new THREE.FogExp2(0xffffff, 1 / hazeDistance);
-  private readonly uniforms = { horizon: { value: new THREE.Color() }, zenith: { value: new THREE.Color() } };
+  private readonly uniforms = {
+    horizon: { value: new THREE.Color() },
+    zenith: { value: new THREE.Color() },
+    glow: { value: new THREE.Color() },
+  };
   private readonly dome: THREE.Mesh<THREE.SphereGeometry, THREE.ShaderMaterial>;
   private readonly fromSky = new THREE.HemisphereLight(0xffffff, 0xffffff, 1);
   private readonly sun = new THREE.DirectionalLight(0xffffff, 1);
@@ -25,10 +29,13 @@ export class Sky {
           }`,
         fragmentShader: `
           varying vec3 direction;
-          uniform vec3 horizon, zenith;
+          uniform vec3 horizon, zenith, glow;
           void main() {
             float height = clamp(normalize(direction).z, 0.0, 1.0);
-            gl_FragColor = vec4(mix(horizon, zenith, pow(height, 0.65)), 1.0);
+            vec3 sky = mix(horizon, zenith, smoothstep(0.0, 0.55, height));
+            float toSun = max(dot(normalize(direction), normalize(vec3(-4.5, 3.5, 8.0))), 0.0);
+            float halo = toSun * toSun * toSun;
+            gl_FragColor = vec4(sky + glow * 0.25 * halo * halo * halo, 1.0);
             #include <colorspace_fragment>
           }`,
         side: THREE.BackSide,
@@ -48,7 +55,8 @@ export class Sky {
     const horizon = new THREE.Color(color("sky"));
     const dark = horizon.getHSL({ h: 0, s: 0, l: 0 }).l < 0.5;
     this.uniforms.horizon.value.copy(horizon);
-    this.uniforms.zenith.value.copy(horizon).lerp(new THREE.Color(color("accent")), dark ? 0.12 : 0.32);
+    this.uniforms.zenith.value.set(color("zenith"));
+    this.uniforms.glow.value.set(0xfff4dd).multiplyScalar(dark ? 0.06 : 1);
     this.haze.color.copy(horizon);
     this.fromSky.color.set(dark ? 0xcfdcec : 0xffffff);
     this.fromSky.groundColor.set(color("ground"));

@@ -1,7 +1,8 @@
 // The view: renderer, sky, road and cars, and one camera for each picture in it. It draws when asked to, never by
 // itself.
 import * as THREE from "three";
-import type { RoadScene, RoadTile } from "../document";
+import type { RoadScene } from "../contract";
+import type { RoadTile } from "../document";
 import { element } from "../dom";
 import { onThemeChange } from "../theme";
 import { CameraRig, type Shot } from "./camera";
@@ -145,6 +146,8 @@ export class Stage {
       camera.updateProjectionMatrix();
     }
     if (this.apart) for (let i = 0; i < this.cars.length; ++i) this.cars[i]!.root.visible = this.cars[i] === shot.car;
+    const within = this.camera.mode === "driver" ? shot.car : null;
+    for (const car of this.cars) car.setSeenFromWithin(car === within);
     this.road.center(camera.position.x, camera.position.y);
     this.renderer.setViewport(left, 0, right - left, height);
     this.renderer.setScissor(left, 0, right - left, height);

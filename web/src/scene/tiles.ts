@@ -1,6 +1,7 @@
 // Tiles of an uneven road: heights as they come, slopes for the light out of their differences.
 import * as THREE from "three";
-import { tileNodes, tileSize, type RoadTile } from "../document";
+import { tileNodes, tileSize } from "../contract";
+import { type RoadTile } from "../document";
 
 const step = tileSize / (tileNodes - 1); // [m]
 

@@ -1,6 +1,7 @@
 // Wheels ride on their carriers' frames, which steer, camber and lift them; their own spin turns them about their axis.
 import * as THREE from "three";
-import type { Wheel } from "../document";
+import type { Channels } from "../channels";
+import type { Wheel } from "../contract";
 import type { Frames } from "./frames";
 import type { Paint } from "./paint";
 import * as shapes from "./shapes";
@@ -14,13 +15,13 @@ interface Mount {
   angle: number; // turned so far [rad]
 }
 
-function mount(wheel: Wheel, names: readonly string[]): Mount {
+function mount(wheel: Wheel, channels: Channels): Mount {
   const axis = new THREE.Vector3(...wheel.axis).normalize();
   const ahead = new THREE.Vector3().crossVectors(axis, new THREE.Vector3(0, 0, 1)).normalize();
   const up = new THREE.Vector3().crossVectors(ahead, axis);
   return {
     wheel,
-    spin: names.indexOf(`${wheel.name}.wheel.spin`),
+    spin: channels.find("wheel_spin", wheel.name),
     ahead: [ahead.x, ahead.y, ahead.z],
     up: [up.x, up.y, up.z],
     side: wheel.center[1] < 0 ? -1 : 1,
@@ -34,8 +35,8 @@ export class Wheels {
   private readonly tires: THREE.InstancedMesh;
   private readonly rims: THREE.InstancedMesh;
 
-  constructor(wheels: readonly Wheel[], channelNames: readonly string[], paint: Paint) {
-    this.mounts = wheels.map((wheel) => mount(wheel, channelNames));
+  constructor(wheels: readonly Wheel[], channels: Channels, paint: Paint) {
+    this.mounts = wheels.map((wheel) => mount(wheel, channels));
     const count = wheels.reduce((sum, wheel) => sum + wheel.tires.length, 0);
     this.tires = new THREE.InstancedMesh(shapes.tire, paint.rubber, count);
     this.rims = new THREE.InstancedMesh(shapes.rim, paint.rim, count);

@@ -1,0 +1,21 @@
+// The options of `hamilcar run`, of a scenario and of a maneuver.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hamilcar::cli {
+
+struct RunOptions {
+    std::string scenario, maneuver;             // one of them
+    std::string vehicle;                        // instead of the scenario's
+    std::string output;                         // folder
+    std::vector<std::string> settings;          // of the maneuver, "speed=80"
+    std::optional<double> step;                 // instead of the scenario's [s]
+    std::string checkpoint, resume;             // files
+    std::optional<double> checkpoint_interval;  // of simulated time [s]
+    bool json = false;
+};
+
+}  // namespace hamilcar::cli

@@ -1,0 +1,59 @@
+// The readers of the tables of a vehicle file, from bodies to axles: vehicle_file.cpp puts them together.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hamilcar/description/vehicle.hpp"
+#include "hamilcar/io/table_reader.hpp"
+#include "hamilcar/suspension/recipe.hpp"
+
+namespace hamilcar::io {
+
+// A rigid body: `mass_kg`, `center_of_mass_m`, `inertia_kg_m2`, `products_kg_m2`. A carrier's inertia leaves out what spins;
+// `wheel` says what that is.
+BodyDescription read_body(const TableReader& table, const WheelDescription& wheel = {});
+
+// Whether the body, its inertia that of all it holds, has room for rotors with these inertias about their axes, unit vectors.
+bool has_room_for(const BodyDescription& body, const std::vector<std::pair<double, Point>>& rotors);
+
+// What hangs on a suspension.
+WheelDescription read_wheel(const TableReader& wheel);
+DamperDescription read_damper(const TableReader& damper);
+StopDescription read_stop(const std::optional<TableReader>& stop);
+BrakeDescription read_brake(const std::optional<TableReader>& brake);
+
+// All tables [tire.NAME] of a file, as they are on the left side of the vehicle, and the one that an axle names. A new model
+// is one function that reads its keys and one line in a list.
+using NamedTires = std::vector<std::pair<std::string, TireDescription>>;
+NamedTires read_tires(const TableReader& file);
+const TireDescription& tire_of(const TableReader& axle, const NamedTires& tires);
+
+// A linkage that a file composes itself, suspension = "linkage": [[axle.joint]], [[axle.cut]], `carrier_part` and, for an axle
+// with two wheels, `right_carrier_part`. Checked: every part is carried, and the wheels have one freedom each.
+Composition read_linkage(const TableReader& axle, const WheelDescription& wheel, bool two_wheels, bool on_trailer);
+// The right side of a linkage with one wheel.
+Composition mirrored_composition(Composition left);
+
+// An axle's two sides, which are one composition where one suspension carries both wheels.
+struct AxleSides {
+    const Composition &left, &right;
+    std::string_view default_part;  // that springs act on unless the file says otherwise
+};
+// [axle.spring], [[axle.further_spring]], and likewise dampers. Each is given for the left side and comes with its mirror image.
+// The two suspensions may be one.
+void add_springs_and_dampers(const TableReader& axle, const AxleSides& sides, SuspensionDescription& left,
+                             SuspensionDescription& right);
+
+// Adds an axle's suspensions, one with two wheels or one on each side, to the vehicle; `unit` is what they hang on.
+void read_axle(const TableReader& axle, const NamedTires& tires, std::size_t unit, VehicleDescription& vehicle);
+
+// Reads [[differential]] into the vehicle, whose axles are there already, and returns their tables in the vehicle's order.
+std::vector<TableReader> read_differentials(const TableReader& file, VehicleDescription& vehicle);
+
+// Reads [[differential]] and [[power_unit]]; both may be left out, and `powertrain = false` leaves out those of a base.
+void read_powertrain(const TableReader& file, VehicleDescription& vehicle);
+
+}  // namespace hamilcar::io

@@ -1,0 +1,46 @@
+// The integral-link rear suspension: a wide lower arm on a hinge, a ball between arm and carrier, and a short upright link between both that
+// keeps the carrier from turning about the ball when it brakes or drives.
+#include "hamilcar/suspension/recipe.hpp"
+
+namespace hamilcar {
+
+namespace {
+
+constexpr auto point = HardpointKind::point;
+
+// The ball leaves the carrier three rotations on the arm; each of the three links takes one.
+Composition integral_link(const Hardpoints& p) {
+    Composition out;
+    const std::size_t arm = out.hinge("lower arm", 0, p["arm_rear_m"], p["arm_front_m"]);
+    const std::size_t carrier = out.join(TreeJoint::spherical, "carrier", arm, p["arm_ball_m"]);
+    out.cut(CutJoint::distance, "integral link", carrier, p["integral_link_carrier_m"], arm, p["integral_link_arm_m"]);
+    out.cut(CutJoint::distance, "camber link", carrier, p["camber_link_carrier_m"], 0, p["camber_link_body_m"]);
+    auto& toe_link = out.cut(CutJoint::distance, "toe link", carrier, p["toe_link_carrier_m"], 0, p["toe_link_body_m"]);
+    if (p.flag("steered")) toe_link.drive = p["rack_axis"];
+    out.linkage.independent = {0};  // the arm's angle
+    out.parts = {{"carrier", carrier, carrier, true, true}, {"lower_arm", arm, arm, true, false}};
+    out.carriers = {carrier};
+    return out;
+}
+
+}  // namespace
+
+const Recipe integral_link_recipe{
+    .keyword = "integral_link",
+    .title = "Integral link",
+    .keys =
+        {{"arm_front_m", point, "lower arm's axis on the chassis, front bush"},
+         {"arm_rear_m", point, "lower arm's axis on the chassis, rear bush"},
+         {"arm_ball_m", point, "lower arm's ball on the carrier"},
+         {"integral_link_arm_m", point, "integral link, end on the lower arm"},
+         {"integral_link_carrier_m", point, "integral link, end on the carrier"},
+         {"camber_link_body_m", point, "upper link, end on the chassis"},
+         {"camber_link_carrier_m", point, "upper link, end on the carrier"},
+         {"toe_link_body_m", point, "toe link, end on the chassis or rack"},
+         {"toe_link_carrier_m", point, "toe link, end on the carrier"},
+         {"steered", HardpointKind::flag, "whether the rack moves the toe link's inner end", {0}},
+         {"rack_axis", HardpointKind::direction, "in which a positive rack displacement moves that end", {0, 1, 0}}},
+    .spring_part = "lower_arm",
+    .compose = integral_link};
+
+}  // namespace hamilcar

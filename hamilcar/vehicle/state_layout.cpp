@@ -1,0 +1,128 @@
+#include "hamilcar/vehicle/state_layout.hpp"
+
+#include <array>
+
+namespace hamilcar {
+
+namespace {
+
+constexpr std::array kinds{
+    StateKindInfo{StateKind::position, "r", "m", "Velocity", "position of the chassis's origin, ground axes"},
+    StateKindInfo{StateKind::orientation, "p", "1", "Velocity", "quaternion of the chassis (or Bryant angles [rad])"},
+    StateKindInfo{StateKind::momentum, "p_a", "kg m/s", "Momenta", "momentum of the whole vehicle, ground axes"},
+    StateKindInfo{StateKind::angular_momentum, "L_a", "kg m^2/s", "Momenta",
+                  "its angular momentum, as it belongs to the orientation"},
+    StateKindInfo{StateKind::work, "-", "J", "Momenta", "work of the forces that keep no energy, since the start"},
+    StateKindInfo{StateKind::independent, "V", "rad, m", "Velocity", "independent coordinates of a suspension"},
+    StateKindInfo{StateKind::dependent, "W", "rad, m", "Momenta", "dependent coordinates of a suspension"},
+    StateKindInfo{StateKind::suspension_momentum, "P_V", "kg m^2/s, kg m/s", "Momenta",
+                  "momenta conjugate to the independent coordinates"},
+    StateKindInfo{StateKind::spin_momentum, "p_s", "kg m^2/s", "Momenta", "spin momentum of a wheel"},
+    StateKindInfo{StateKind::brake_windup, "z", "rad", "Momenta", "elastic wind-up of a brake that holds"},
+    StateKindInfo{StateKind::tire_deflection, "u, v", "m", "Momenta", "deflections of a tire along and across it"},
+    StateKindInfo{StateKind::hitch_angle, "V", "rad", "Velocity", "angles of a trailer against what pulls it"},
+    StateKindInfo{StateKind::hitch_momentum, "P_V", "kg m^2/s", "Momenta", "momenta conjugate to these angles"},
+    StateKindInfo{StateKind::rotor_momentum, "p_e", "kg m^2/s", "Momenta",
+                  "momentum of an engine's or a motor's rotor"},
+    StateKindInfo{StateKind::clutch_windup, "z", "rad", "Momenta", "elastic wind-up between rotor and gearbox"},
+    StateKindInfo{StateKind::throttle, "-", "1", "Momenta", "throttle as it acts, after the delay of the torque"},
+    StateKindInfo{StateKind::converter_torque, "-", "N m", "Momenta", "torque of the oil of a torque converter"},
+    StateKindInfo{StateKind::differential_windup, "z", "rad", "Momenta", "elastic wind-up of a differential's shafts"},
+    StateKindInfo{StateKind::energy_supplied, "-", "J", "Momenta", "energy from engines and motors, since the start"},
+};
+
+constexpr bool in_order() {
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        if (kinds[i].kind != static_cast<StateKind>(i)) return false;
+    }
+    return kinds.size() == static_cast<std::size_t>(StateKind::energy_supplied) + 1;
+}
+static_assert(in_order());
+
+}  // namespace
+
+bool is_momentum(StateKind kind) {
+    switch (kind) {
+        case StateKind::momentum:
+        case StateKind::angular_momentum:
+        case StateKind::suspension_momentum:
+        case StateKind::spin_momentum:
+        case StateKind::hitch_momentum:
+        case StateKind::rotor_momentum: return true;
+        default: return false;
+    }
+}
+
+std::span<const StateKindInfo> state_kinds() {
+    return kinds;
+}
+
+StateLayout::StateLayout(const VehicleDescription& description) {
+    add_chassis();
+    for (const SuspensionDescription& suspension : description.suspensions) add_suspension(suspension);
+    for (const TrailerDescription& trailer : description.trailers) add_trailer(trailer);
+    add_powertrain(description);
+}
+
+void StateLayout::add_chassis() {
+    for (const char* axis : {"x", "y", "z"}) add(StateKind::position, std::string("position.") + axis);
+    for (const char* part : {"w", "x", "y", "z"}) add(StateKind::orientation, std::string("orientation.") + part);
+    for (const char* axis : {"x", "y", "z"}) add(StateKind::momentum, std::string("momentum.") + axis);
+    for (const char* axis : {"x", "y", "z"}) add(StateKind::angular_momentum, std::string("angular_momentum.") + axis);
+    add(StateKind::work, "work");
+}
+
+void StateLayout::add_suspension(const SuspensionDescription& suspension) {
+    const int first = size();
+    const int dependent = suspension.linkage.equation_count(),
+              independent = suspension.linkage.coordinate_count() - dependent;
+    const auto add_all = [&](StateKind kind, int count, const char* what) {
+        for (int i = 1; i <= count; ++i) add(kind, suspension.name + what + std::to_string(i));
+    };
+    add_all(StateKind::independent, independent, ".independent.");
+    add_all(StateKind::dependent, dependent, ".dependent.");
+    add_all(StateKind::suspension_momentum, independent, ".momentum.");
+    SuspensionPlaces places{.offset = first, .size = 0, .wheels = {}};
+    for (const SuspensionWheelDescription& wheel : suspension.wheels) {
+        places.wheels.push_back(size() - first);
+        add_wheel(wheel);
+    }
+    places.size = size() - first;
+    suspensions_.push_back(std::move(places));
+}
+
+void StateLayout::add_wheel(const SuspensionWheelDescription& wheel) {
+    add(StateKind::spin_momentum, wheel.name + ".spin_momentum");
+    add(StateKind::brake_windup, wheel.name + ".brake_windup");
+    for (int tire = 0; tire < wheel.tires(); ++tire) {
+        const char* which = tire == 0 ? "" : "_2";
+        add(StateKind::tire_deflection, wheel.name + ".deflection_x" + which);
+        add(StateKind::tire_deflection, wheel.name + ".deflection_y" + which);
+    }
+}
+
+void StateLayout::add_trailer(const TrailerDescription& trailer) {
+    trailers_.push_back(size());
+    const std::vector<std::string> angles = hitch_angles(trailer.hitch);
+    for (const std::string& angle : angles) add(StateKind::hitch_angle, trailer.name + ".hitch." + angle);
+    for (const std::string& angle : angles) add(StateKind::hitch_momentum, trailer.name + ".hitch_momentum." + angle);
+}
+
+void StateLayout::add_powertrain(const VehicleDescription& description) {
+    powertrain_.units = size();
+    for (const PowerUnitDescription& unit : description.power_units) {
+        add(StateKind::rotor_momentum, unit.name + ".momentum");
+        add(StateKind::clutch_windup, unit.name + ".windup");
+        add(StateKind::throttle, unit.name + ".throttle");
+        add(StateKind::converter_torque, unit.name + ".converter_torque");
+    }
+    powertrain_.differentials = size();
+    if (description.power_units.empty()) return;
+    for (const DifferentialDescription& one : description.differentials) {
+        add(StateKind::differential_windup, one.name + ".windup");
+    }
+    powertrain_.supplied = size();
+    add(StateKind::energy_supplied, "energy_supplied");
+}
+
+}  // namespace hamilcar

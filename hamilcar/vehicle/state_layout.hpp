@@ -1,0 +1,93 @@
+// The one map of a state: what each of its numbers is and where it stands. A vehicle takes its offsets from here, and everything
+// that speaks of the numbers takes their names.
+//
+//   chassis     position r, orientation, momentum, work
+//   suspension  independent V, dependent W, momenta P_V, then wheel by wheel: spin momentum, brake wind-up, u and v of each tire
+//   trailer     hitch angles, their momenta
+//   powertrain  of each power unit the rotor's momentum, wind-up, throttle and the converter's torque; the wind-up of each
+//               differential; the energy supplied
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hamilcar/description/vehicle.hpp"
+
+namespace hamilcar {
+
+enum class StateKind {
+    position,
+    orientation,
+    momentum,
+    angular_momentum,
+    work,
+    independent,
+    dependent,
+    suspension_momentum,
+    spin_momentum,
+    brake_windup,
+    tire_deflection,
+    hitch_angle,
+    hitch_momentum,
+    rotor_momentum,
+    clutch_windup,
+    throttle,
+    converter_torque,
+    differential_windup,
+    energy_supplied,
+};
+
+// What holds for all numbers of a kind.
+struct StateKindInfo {
+    StateKind kind;
+    const char* symbol;   // in the equations, "-" where they have none
+    const char* unit;     // "rad, m": by the coordinate that it belongs to
+    const char* block;    // that gives its rate
+    const char* meaning;  // one phrase
+};
+// Whether its rate is a force or a moment.
+bool is_momentum(StateKind kind);
+// In the order of StateKind.
+std::span<const StateKindInfo> state_kinds();
+
+struct StateNumber {
+    StateKind kind;
+    std::string name;  // "front_left.spin_momentum"
+};
+
+class StateLayout {
+public:
+    explicit StateLayout(const VehicleDescription& description);
+
+    // Where a suspension's numbers begin, how many they are, and where those of its wheels begin, counted from there.
+    struct SuspensionPlaces {
+        int offset, size;
+        std::vector<int> wheels;
+    };
+    // Where a powertrain's numbers begin; those of its differentials, and the last.
+    struct PowertrainPlaces {
+        int units, differentials, supplied;
+    };
+
+    int size() const { return static_cast<int>(numbers_.size()); }
+    const std::vector<StateNumber>& numbers() const { return numbers_; }
+    const SuspensionPlaces& suspension(std::size_t i) const { return suspensions_[i]; }
+    int trailer(std::size_t i) const { return trailers_[i]; }
+    const PowertrainPlaces& powertrain() const { return powertrain_; }
+
+private:
+    void add(StateKind kind, const std::string& name) { numbers_.push_back({kind, name}); }
+    void add_chassis();
+    void add_suspension(const SuspensionDescription& suspension);
+    void add_wheel(const SuspensionWheelDescription& wheel);
+    void add_trailer(const TrailerDescription& trailer);
+    void add_powertrain(const VehicleDescription& description);
+
+    std::vector<StateNumber> numbers_;
+    std::vector<SuspensionPlaces> suspensions_;
+    std::vector<int> trailers_;
+    PowertrainPlaces powertrain_{};
+};
+
+}  // namespace hamilcar

@@ -1,0 +1,129 @@
+// The map of a state against the views that the blocks read and write it by.
+#include "hamilcar/vehicle/state_layout.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "hamilcar/vehicle/state.hpp"
+#include "support/car.hpp"
+
+namespace hamilcar {
+namespace {
+
+// Notes which name each number has by the view that it is reached through.
+class Views {
+public:
+    explicit Views(const VehicleDescription& d) : described_(d), vehicle_(d) {
+        chassis();
+        for (std::size_t s = 0; s < vehicle_.suspensions.size(); ++s) suspension(s);
+        for (std::size_t i = 0; i < vehicle_.trailers.size(); ++i) trailer(i);
+        if (vehicle_.powertrain.exists()) powertrain();
+    }
+    // By their places.
+    const std::map<std::ptrdiff_t, std::string>& names() const { return names_; }
+    int size() const { return vehicle_.state_size; }
+
+private:
+    void note(const double& number, const std::string& name) {
+        EXPECT_TRUE(names_.emplace(&number - state_.values.data(), name).second) << name;
+    }
+    void chassis() {
+        const char* const axes[] = {"x", "y", "z"};
+        for (int i = 0; i < 3; ++i) {
+            note(state_.position().data()[i], std::string("position.") + axes[i]);
+            note(state_.momentum().data()[i], std::string("momentum.") + axes[i]);
+            note(state_.momentum().data()[3 + i], std::string("angular_momentum.") + axes[i]);
+            note(state_.orientation().data()[1 + i], std::string("orientation.") + axes[i]);
+        }
+        note(state_.orientation().data()[0], "orientation.w");
+        note(state_.work(), "work");
+    }
+    void suspension(std::size_t s) {
+        const Suspension<double>& one = vehicle_.suspensions[s];
+        const SuspensionDescription& d = described_.suspensions[s];
+        const auto at = one.state(state_.values.data());
+        const auto number = [](int i) { return std::to_string(i + 1); };
+        for (int i = 0; i < one.linkage.nV(); ++i) {
+            note(at.independent[i], d.name + ".independent." + number(i));
+            note(at.momentum[i], d.name + ".momentum." + number(i));
+        }
+        for (int i = 0; i < one.linkage.nW(); ++i) note(at.dependent[i], d.name + ".dependent." + number(i));
+        for (std::size_t i = 0; i < one.wheels.size(); ++i) {
+            const auto wheel = one.wheel_state(static_cast<int>(i), state_.values.data());
+            const std::string& name = d.wheels[i].name;
+            note(wheel.spin_momentum, name + ".spin_momentum"), note(wheel.brake_windup, name + ".brake_windup");
+            for (int k = 0; k < one.wheels[i].tires; ++k) {
+                note(wheel.deflection[2 * k], name + ".deflection_x" + (k == 0 ? "" : "_2"));
+                note(wheel.deflection[2 * k + 1], name + ".deflection_y" + (k == 0 ? "" : "_2"));
+            }
+        }
+    }
+    void trailer(std::size_t i) {
+        const Trailer<double>& one = vehicle_.trailers[i];
+        const std::vector<std::string> angles = hitch_angles(described_.trailers[i].hitch);
+        ASSERT_EQ(angles.size(), static_cast<std::size_t>(one.freedoms()));
+        const std::string& name = described_.trailers[i].name;
+        for (std::size_t j = 0; j < angles.size(); ++j) {
+            const std::size_t place = static_cast<std::size_t>(one.offset) + j;
+            note(state_.values[place], name + ".hitch." + angles[j]);
+            note(state_.values[place + angles.size()], name + ".hitch_momentum." + angles[j]);
+        }
+    }
+    void powertrain() {
+        const Powertrain<double>& one = vehicle_.powertrain;
+        for (std::size_t i = 0; i < one.units.size(); ++i) {
+            const auto unit = one.unit_state(i, state_.values.data());
+            const std::string& name = described_.power_units[i].name;
+            note(unit.momentum, name + ".momentum"), note(unit.windup, name + ".windup");
+            note(unit.throttle, name + ".throttle"), note(unit.oil_torque, name + ".converter_torque");
+        }
+        for (std::size_t i = 0; i < one.differentials.size(); ++i) {
+            note(one.windup(i, state_.values.data()), described_.differentials[i].name + ".windup");
+        }
+        note(one.supplied(state_.values.data()), "energy_supplied");
+    }
+
+    const VehicleDescription& described_;
+    Vehicle<double> vehicle_;
+    State<double> state_;
+    std::map<std::ptrdiff_t, std::string> names_;
+};
+
+TEST(StateLayout, NamesEveryNumberThatTheBlocksReach) {
+    std::set<StateKind> kinds;
+    for (const auto& entry : std::filesystem::directory_iterator(test::source_path("vehicles"))) {
+        if (entry.path().extension() != ".toml") continue;
+        SCOPED_TRACE(entry.path().filename().string());
+        const VehicleDescription car = io::read_vehicle(entry.path().string());
+        const StateLayout layout(car);
+        const Views views(car);
+        ASSERT_EQ(layout.size(), views.size());
+        ASSERT_EQ(layout.numbers().size(), views.names().size());  // no number without a view, none with two
+        for (const auto& [place, name] : views.names()) {
+            EXPECT_EQ(layout.numbers()[static_cast<std::size_t>(place)].name, name);
+        }
+        for (const StateNumber& number : layout.numbers()) kinds.insert(number.kind);
+    }
+    EXPECT_EQ(kinds.size(), state_kinds().size());  // each is in some vehicle
+}
+
+// docs/theory/formulation.md shows what state_layout.cpp says.
+TEST(StateLayout, IsTheTableOfTheDocs) {
+    std::ostringstream rows;
+    for (const StateKindInfo& kind : state_kinds()) {
+        rows << "| " << kind.meaning << " | " << kind.symbol << " | " << kind.unit << " | " << kind.block << " |\n";
+    }
+    std::ifstream file(test::source_path("docs/theory/formulation.md"));
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_THAT(page, testing::HasSubstr("| number of the state | symbol | unit | block that gives its rate |\n"
+                                         "| --- | --- | --- | --- |\n" +
+                                         rows.str()));
+}
+
+}  // namespace
+}  // namespace hamilcar
