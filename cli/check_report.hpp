@@ -8,6 +8,7 @@
 
 #include "hamilcar/analysis/freedom.hpp"
 #include "hamilcar/analysis/plausibility.hpp"
+#include "hamilcar/block/initial_process.hpp"
 #include "hamilcar/io/results.hpp"
 
 namespace hamilcar::cli {

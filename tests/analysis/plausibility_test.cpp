@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
                          "steering: the ratio is 0.0"},
                     Slip{"CenterOfMassBehind", R"(center_of_mass_m = \[-[0-9.]+)", "center_of_mass_m = [-3.5",
                          "above where it was designed, on its stops"}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& vehicle) { return vehicle.param.name; });
 
 TEST(Plausibility, WeakBrakesAreTold) {
     VehicleDescription car = test::shipped_car();

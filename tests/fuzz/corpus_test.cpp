@@ -33,7 +33,7 @@ TEST_P(Corpus, ComesThrough) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Readers, Corpus, testing::ValuesIn(readers().begin(), readers().end()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& reader) { return std::string(reader.param.name); });
 
 TEST(Corpora, HaveAReaderEach) {
     std::size_t folders = 0;

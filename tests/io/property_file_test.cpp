@@ -241,8 +241,9 @@ TEST(PropertyNote, NamesWhatIsLeftOutWithItsLine) {
         EXPECT_EQ(file.notes[0].line, odd.line);
         EXPECT_THAT(file.notes[0].text, testing::StartsWith(odd.note));
         EXPECT_THAT(file.find("A", "Y")->number, testing::AnyOf(2.0, 2.5)) << "the rest is read";
-        if (file.find("A")->table_line != 0)
+        if (file.find("A")->table_line != 0) {
             EXPECT_THAT(file.find("A")->rows, ElementsAre(ElementsAre(1, 2), ElementsAre(3, 4)));
+        }
     }
     EXPECT_EQ(parsed("[A]\nX = 'left $ side\n").find("A", "X")->text, "left");
     EXPECT_THAT(parsed("[A]\nX = 1,000.5\n").find("A", "X")->number, testing::Eq(std::nullopt));
