@@ -7,6 +7,7 @@
 #include "check_report.hpp"
 #include "commands.hpp"
 #include "files.hpp"
+#include "hamilcar/io/file_kind.hpp"
 #include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/scenario_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
@@ -63,6 +64,22 @@ void add_figures(const VehicleDescription& vehicle, CheckReport& out) {
     out.oddities.insert(out.oddities.end(), more.begin(), more.end());
 }
 
+// The preloads that the file left to be found.
+void add_preloads(const Simulation& simulation, std::vector<std::string>& notes) {
+    const auto& suspensions = simulation.vehicle().suspensions;
+    for (std::size_t s = 0; s < suspensions.size(); ++s) {
+        for (std::size_t i = 0; i < suspensions[s].springs.size(); ++i) {
+            const auto& [name, line, spring] = suspensions[s].springs[i];
+            if (!spring.carries) continue;
+            const Suspension<double>& built = simulation.model().vehicle.suspensions[s];
+            const int along = built.springs[i].line.coordinate;
+            const bool turns = along >= 0 && built.linkage.coordinates[static_cast<std::size_t>(along)].slides == 0;
+            notes.push_back(fmt::format("{}: the spring carries its share at design with {:.1f} {}", name,
+                                        spring.force_at_design, turns ? "N m" : "N"));
+        }
+    }
+}
+
 // `recorded`: the vehicle whose channels are listed.
 CheckReport inspect(const Simulation& simulation, const VehicleDescription& recorded, const std::string& file) {
     const Structure counted = structure(simulation.model().vehicle, simulation.vehicle());
@@ -83,6 +100,7 @@ CheckReport inspect(const Simulation& simulation, const VehicleDescription& reco
              inspect_loops(simulation.model(), sample.input.rack, simulation.state(), static_cast<int>(i)),
              static_load(sample, i)});
     }
+    add_preloads(simulation, out.notes);
     for (const auto& [tire_file, remarks] : tire_remarks(simulation.vehicle())) {
         out.notes.insert(out.notes.end(), remarks.begin(), remarks.end());
     }
@@ -93,7 +111,8 @@ CheckReport inspect(const Simulation& simulation, const VehicleDescription& reco
 }
 
 io::ExitCode check(const CheckOptions& options) {
-    io::Node document = io::read_toml(options.file);
+    io::Node document;
+    io::expect_kind(options.file, io::FileKind::vehicle, [&] { document = io::read_toml(options.file); });
     const bool is_scenario = io::is_scenario(document);
     const ScenarioDescription scenario = is_scenario ? io::read_scenario(document) : standing_still(options.file);
     const VehicleDescription vehicle = is_scenario ? io::read_vehicle(scenario.vehicle) : io::read_vehicle(document);

@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "files.hpp"
+#include "hamilcar/io/file_kind.hpp"
 #include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/scenario_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
@@ -164,8 +165,12 @@ io::ExitCode run(const RunOptions& options) {
     if (options.scenario.empty()) {
         throw io::Error(io::ExitCode::usage, "run: expected a scenario file, or --maneuver NAME");
     }
-    io::Node scenario_file = io::read_toml(options.scenario);
-    ScenarioDescription scenario = io::read_scenario(scenario_file);
+    io::Node scenario_file;
+    ScenarioDescription scenario;
+    io::expect_kind(options.scenario, io::FileKind::scenario, [&] {
+        scenario_file = io::read_toml(options.scenario);
+        scenario = io::read_scenario(scenario_file);
+    });
     if (!options.vehicle.empty()) scenario.vehicle = options.vehicle;
     if (!scenario.maneuver.name.empty()) return run_maneuver(scenario, options);
     if (!options.settings.empty()) {
@@ -174,8 +179,13 @@ io::ExitCode run(const RunOptions& options) {
     }
     check_can_resume(options, scenario);
     if (options.step) scenario.solver.step = *options.step;
-    io::Node vehicle_file = io::read_toml(scenario.vehicle);
-    const VehicleDescription vehicle = as_driven(io::read_vehicle(vehicle_file), scenario);
+    io::Node vehicle_file;
+    VehicleDescription described;
+    io::expect_kind(scenario.vehicle, io::FileKind::vehicle, [&] {
+        vehicle_file = io::read_toml(scenario.vehicle);
+        described = io::read_vehicle(vehicle_file);
+    });
+    const VehicleDescription vehicle = as_driven(described, scenario);
     const Recorded recorded = choose_channels(vehicle, scenario);
     Simulation simulation(vehicle, scenario);
     const bool may_resume = !options.checkpoint.empty() || !options.resume.empty();

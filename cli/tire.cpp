@@ -10,6 +10,7 @@
 #include "hamilcar/analysis/tire_curves.hpp"
 #include "hamilcar/base/units.hpp"
 #include "hamilcar/io/csv.hpp"
+#include "hamilcar/io/file_kind.hpp"
 #include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/page.hpp"
 #include "hamilcar/io/tir_file.hpp"
@@ -137,7 +138,8 @@ void print_report(const std::string& path, const io::TirFile& file, const std::v
 }
 
 io::ExitCode tire(const TireOptions& options) {
-    const io::TirFile file = io::read_tir(options.file);
+    io::TirFile file;
+    io::expect_kind(options.file, io::FileKind::tire, [&] { file = io::read_tir(options.file); });
     const Tire<double> tire = make_tire<double>(TireDescription(file.tire));
     std::vector<TireFigures> figures;
     std::vector<double> loads;

@@ -75,11 +75,13 @@ Vec3<double> ground_normal(const Model<double>& model, const Input<double>& inpu
 class Equilibrium {
 public:
     Equilibrium(const Model<double>& model, const Input<double>& input, const Vec3<double>& normal,
-                const State<double>& start)
+                const State<double>& start, const std::vector<bool>& held)
         : model_(model), input_(input), normal_(normal), start_(start), R_(velocity_block(model, start, input).R_GC) {
         input_.rack.rate = input_.rack.acceleration = 0;
         for (const StateFreedom& freedom : state_freedoms(model.vehicle)) {
-            if (!freedom.hitch_yaw) freedoms_.push_back(freedom);
+            const auto suspension = static_cast<std::size_t>(freedom.suspension);
+            const bool is_held = freedom.suspension >= 0 && suspension < held.size() && held[suspension];
+            if (!freedom.hitch_yaw && !is_held) freedoms_.push_back(freedom);
         }
     }
     Eigen::Index unknowns() const { return 3 + static_cast<Eigen::Index>(freedoms_.size()); }
@@ -157,14 +159,15 @@ void touch_road(const Model<double>& model, const Input<double>& input, const Ve
 
 }  // namespace
 
-EquilibriumResult settle(const Model<double>& model, Input<double> input, State<double>& state) {
+EquilibriumResult settle(const Model<double>& model, Input<double> input, State<double>& state,
+                         const std::vector<bool>& held) {
     constexpr int max_iterations = 60;
     input.drive_torque = 0;
     close_loops(model, input.rack, state, 10);
     const Vec3<double> normal = ground_normal(model, input, state);
     touch_road(model, input, normal, state);
     const State<double> start = state;
-    const Equilibrium problem(model, input, normal, start);
+    const Equilibrium problem(model, input, normal, start, held);
     Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.unknowns());
     Eigen::VectorXd r = problem.residual(x);
     const double weight = model.vehicle.total_mass * model.vehicle.gravity;

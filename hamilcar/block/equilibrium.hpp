@@ -2,6 +2,8 @@
 // pitch and every V as unknowns.
 #pragma once
 
+#include <vector>
+
 #include "hamilcar/block/momenta.hpp"
 
 namespace hamilcar {
@@ -12,7 +14,8 @@ struct EquilibriumResult {
 };
 
 // Settles a state at rest: heave, roll, pitch and V such that all forces balance; on a slope tire deflections and
-// brakes hold the car if the brakes can. Heading and ground position are kept.
-EquilibriumResult settle(const Model<double>& model, Input<double> input, State<double>& state);
+// brakes hold the car if the brakes can. Heading and ground position are kept, and the coordinates of suspensions that are `held`.
+EquilibriumResult settle(const Model<double>& model, Input<double> input, State<double>& state,
+                         const std::vector<bool>& held = {});
 
 }  // namespace hamilcar

@@ -10,6 +10,7 @@ namespace hamilcar {
 struct StateFreedom {
     int coordinate, momentum;  // indices into State::values
     bool hitch_yaw;            // of a trailer: no force depends on it at rest
+    int suspension;            // -1: of a hitch
 };
 
 // Suspensions first, then hitches.

@@ -41,6 +41,7 @@ struct WheelDescription {
 struct SpringDescription {
     double rate = 0;             // [N/m]
     double force_at_design = 0;  // [N]
+    bool carries = false;        // that force was found such that the vehicle stands at design (block/preload.hpp)
 };
 
 // Force against velocity of extension, piecewise linear through the points, continued with the outer slopes.

@@ -104,10 +104,9 @@ std::string numbered(const std::string& name, std::size_t i) {
 }
 
 SpringDescription read_spring(const TableReader& table, bool turns) {
-    if (turns) {
-        return {table.number("rate_N_m_per_rad", positive), table.number("moment_at_design_N_m", any_number)};
-    }
-    return {table.number("rate_N_per_m", positive), table.number("force_at_design_N", any_number)};
+    const double rate = table.number(turns ? "rate_N_m_per_rad" : "rate_N_per_m", positive);
+    const auto preload = table.number_or("carry", turns ? "moment_at_design_N_m" : "force_at_design_N", any_number);
+    return {rate, preload.value_or(0), !preload};
 }
 
 DamperDescription read_any_damper(const TableReader& table, bool turns) {

@@ -61,6 +61,7 @@ KeyRecord& add(TableRecord& to, const KeyRecord& other) {
     join(known->value, other.value);
     add_missing(known->expectations, other.expectations);
     add_missing(known->meanings, other.meanings);
+    if (known->each.empty()) known->each = other.each;
     known->wanted |= other.wanted, known->may_miss |= other.may_miss;
     return *known;
 }
@@ -139,6 +140,12 @@ void TableRecord::number(std::string_view key, const Range& range, std::optional
     ask(key, !fallback, rule, with_unit("a " + std::string(range.words), key));
 }
 
+void TableRecord::number_or(std::string_view word, std::string_view key, const Range& range) {
+    ValueRule rule = in_range(Shape::number | Shape::text, range);
+    rule.words = {std::string(word)};
+    ask(key, true, rule, with_unit("a " + std::string(range.words), key) + " or '" + std::string(word) + "'");
+}
+
 void TableRecord::numbers(std::string_view key, const Range& range, std::size_t count,
                           std::span<const double> fallback) {
     ValueRule rule = in_range(Shape::numbers, range);
@@ -149,6 +156,7 @@ void TableRecord::numbers(std::string_view key, const Range& range, std::size_t 
     if (!written.empty() && !from_elsewhere) rule.fallback = written;
     ask(key, fallback.empty(), rule,
         with_unit(count > 0 ? std::to_string(count) + " numbers" : "a list of numbers", key));
+    here().find(key)->each = with_unit("a " + std::string(range.words), key);
 }
 
 void TableRecord::flag(std::string_view key, bool fallback) {
@@ -211,6 +219,14 @@ void join(TableRecord& to, const TableRecord& other) {
     for (const Choice& choice : other.choices) {
         for (const TableRecord& branch : choice.branches) join(to, branch);
     }
+}
+
+void merge(TableRecord& to, const TableRecord& other) {
+    for (const KeyRecord& key : other.keys) {
+        KeyRecord& known = add(to, key);
+        if (!key.below.empty()) merge(table_below(known), key.below[0]);
+    }
+    add_missing(to.choices, other.choices);
 }
 
 TableRecord record_keys(const std::function<void(const TableReader&)>& read) {

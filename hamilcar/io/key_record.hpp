@@ -51,6 +51,7 @@ struct KeyRecord {
     std::string key;
     ValueRule value{};
     std::vector<std::string> expectations{};  // the value in words: "a positive number [kg]"
+    std::string each{};                       // of a list of numbers, in words
     std::vector<Meaning> meanings{};
     bool wanted = false, may_miss = false;  // it was read as a required one; its presence was asked
     std::vector<TableRecord> below;         // one: the table, or each table of a list
@@ -82,6 +83,7 @@ struct TableRecord {
 
     void has(std::string_view key);
     void number(std::string_view key, const Range& range, std::optional<double> fallback);
+    void number_or(std::string_view word, std::string_view key, const Range& range);
     // `count` 0: as many as one likes; a default of no numbers: none.
     void numbers(std::string_view key, const Range& range, std::size_t count, std::span<const double> fallback);
     void flag(std::string_view key, bool fallback);
@@ -106,6 +108,8 @@ private:
 
 // Adds all that may stand in another record of the same table, whatever is chosen.
 void join(TableRecord& to, const TableRecord& other);
+// Adds what stands in another record of the same table, with its choices.
+void merge(TableRecord& to, const TableRecord& other);
 
 TableRecord record_keys(const std::function<void(const TableReader&)>& read);
 

@@ -30,6 +30,11 @@ Json list_schema(const ValueRule& rule) {
 
 // The kinds of values that a rule allows, without what is below a table.
 Json value_schema(const ValueRule& rule) {
+    if (!rule.words.empty() && (rule.shapes & ~unsigned{Shape::text})) {  // a word in the place of something else
+        ValueRule other = rule;
+        other.shapes &= ~unsigned{Shape::text}, other.words.clear();
+        return {{"anyOf", {value_schema(other), {{"enum", rule.words}}}}};
+    }
     Json out = Json::object(), types = Json::array();
     const auto add = [&](const Json& more) {
         types.push_back(more["type"]);
@@ -61,7 +66,7 @@ std::string description(const KeyRecord& key) {
         if (!where.empty()) out.append(where).append(": ");
         out.append(text).append("; ");
     }
-    if (!key.value.words.empty()) {
+    if (key.expectations.empty() && !key.value.words.empty()) {
         const std::vector<std::string_view> words(key.value.words.begin(), key.value.words.end());
         return out + quoted_list(words);
     }

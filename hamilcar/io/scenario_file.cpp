@@ -8,6 +8,8 @@
 #include "hamilcar/integrator/stabilization.hpp"
 #include "hamilcar/io/choices.hpp"
 #include "hamilcar/io/driver_file.hpp"
+#include "hamilcar/io/every_mistake.hpp"
+#include "hamilcar/io/file_kind.hpp"
 #include "hamilcar/io/road_file.hpp"
 #include "hamilcar/io/table_reader.hpp"
 
@@ -187,13 +189,20 @@ bool is_scenario(const Node& document) {
 }
 
 ScenarioDescription read_scenario(const std::string& path) {
-    Node document = read_toml(path);
-    return read_scenario(document);
+    ScenarioDescription scenario;
+    expect_kind(path, FileKind::scenario, [&] {
+        Node document = read_toml(path);
+        scenario = read_scenario(document);
+    });
+    return scenario;
 }
 
 ScenarioDescription read_scenario(Node& document) {
     choose_masters(document);
-    ScenarioDescription scenario = read_scenario(TableReader(document, ""));
+    ScenarioDescription scenario;
+    with_every_mistake(
+        document, [](const TableReader& file) { read_scenario(file); },
+        [&] { scenario = read_scenario(TableReader(document, "")); });
     scenario.places = places_of(document);
     return scenario;
 }

@@ -90,6 +90,16 @@ double TableReader::number(std::string_view key, const Range& range, double fall
     return has(key) ? number(key, range) : fallback;
 }
 
+std::optional<double> TableReader::number_or(std::string_view word, std::string_view key, const Range& range) const {
+    if (record_) return record_->number_or(word, key, range), no_number;
+    const std::string expectation = describe(range, key) + " or '" + std::string(word) + "'";
+    const Node& node = require(key, expectation);
+    const auto* text = std::get_if<std::string>(&node.value);
+    if (!text) return checked(node, key, full(key), range);
+    if (*text != word) reject(node, full(key), expectation);
+    return {};
+}
+
 bool TableReader::boolean(std::string_view key, bool fallback) const {
     if (record_) return record_->flag(key, fallback), fallback;
     const Node* node = find(key);

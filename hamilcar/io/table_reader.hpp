@@ -51,7 +51,6 @@ using NamedValues = std::map<std::string, std::variant<double, std::string>>;
 using Alternatives = std::initializer_list<std::initializer_list<std::string_view>>;
 
 struct TableRecord;
-struct Choice;
 
 class TableReader {
 public:
@@ -82,6 +81,8 @@ public:
 
     double number(std::string_view key, const Range& range) const;
     double number(std::string_view key, const Range& range, double fallback) const;
+    // Nothing where the word stands in the number's place.
+    std::optional<double> number_or(std::string_view word, std::string_view key, const Range& range) const;
     bool boolean(std::string_view key, bool fallback) const;
     std::string text(std::string_view key) const;
     std::vector<std::string> texts(std::string_view key) const;  // empty if absent

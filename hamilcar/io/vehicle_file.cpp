@@ -7,8 +7,11 @@
 #include <numbers>
 
 #include "hamilcar/base/text.hpp"
+#include "hamilcar/block/preload.hpp"
 #include "hamilcar/io/bodywork_file.hpp"
 #include "hamilcar/io/choices.hpp"
+#include "hamilcar/io/every_mistake.hpp"
+#include "hamilcar/io/file_kind.hpp"
 #include "hamilcar/io/vehicle_tables.hpp"
 #include "hamilcar/vehicle/vehicle.hpp"
 
@@ -134,12 +137,19 @@ void read_trailer(const TableReader& table, const NamedTires& tires, std::vector
 }  // namespace
 
 VehicleDescription read_vehicle(const std::string& path) {
-    Node document = read_toml(path);
-    return read_vehicle(document);
+    VehicleDescription vehicle;
+    expect_kind(path, FileKind::vehicle, [&] {
+        Node document = read_toml(path);
+        vehicle = read_vehicle(document);
+    });
+    return vehicle;
 }
 
 VehicleDescription read_vehicle(Node& document) {
-    VehicleDescription vehicle = read_vehicle(TableReader(document, ""));
+    VehicleDescription vehicle;
+    with_every_mistake(
+        document, [](const TableReader& file) { read_vehicle(file); },
+        [&] { vehicle = read_vehicle(TableReader(document, "")); });
     vehicle.places = places_of(document);
     return vehicle;
 }
@@ -180,6 +190,10 @@ VehicleDescription read_vehicle(const TableReader& file) {
                 "fewer coordinates of suspensions, or fewer power units and differentials: together they hold " +
                     std::to_string(beyond_chassis_capacity) + " numbers at most");
     file.finish();
+    if (!file.is_recording()) {
+        const auto obstacle = find_preloads(vehicle);
+        file.expect(!obstacle, "axle", obstacle.value_or(""));
+    }
     return vehicle;
 }
 

@@ -39,6 +39,17 @@ TEST_F(Program, ChecksAVehicleAsAColleagueWould) {
     EXPECT_EQ(nlohmann::json::parse(run("check --json " + car).out)["odd"][0]["where"], "steering");
 }
 
+TEST_F(Program, TellsThePreloadsThatItFinds) {
+    const std::string car =
+        changed("vehicles/bmw_323i.toml", "force_at_design_N = ", "force_at_design_N = \"carry\" # ");
+    const Outcome r = run("check --strict " + car);
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_THAT(r.out,
+                testing::ContainsRegex("note: front_left: the spring carries its share at design with [0-9.]+ N\n"));
+    EXPECT_THAT(r.out, HasSubstr("note: front_right: "));
+    EXPECT_THAT(r.out, testing::Not(HasSubstr("note: rear_left: "))) << "its force is given";
+}
+
 TEST_F(Program, ChecksAScenarioThatInheritsItsVehicle) {
     const std::string base = scenario_for(shipped);
     std::ofstream(folder_ / "derived.toml") << "base = \"scenario.toml\"\nduration_s = 2.0\n";

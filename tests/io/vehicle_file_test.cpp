@@ -275,13 +275,15 @@ TEST(VehicleFile, UnreadablePathsAreInputOutputErrors) {
     const TemporaryFolder folder;
     expect_error([&] { read_vehicle(folder / "nonesuch.toml"); }, ExitCode::input_output,
                  {folder / "nonesuch.toml: cannot read: No such file or directory"});
-    expect_error([&] { read_vehicle(folder / ""); }, ExitCode::input_output, {"cannot read: Is a directory"});
+    expect_error([&] { read_vehicle(folder / ""); }, ExitCode::input_output, {"this is a folder, expected a vehicle"});
 }
 
-TEST(VehicleFile, AnEmptyFileMissesItsFirstKey) {
+TEST(VehicleFile, AnEmptyFileMissesItsTables) {
     const TemporaryFolder folder;
     const auto path = folder.write("empty.toml", "");
-    expect_error([&] { read_vehicle(path); }, ExitCode::bad_file, {path + ":1:1: key 'chassis' is missing"});
+    expect_error([&] { read_vehicle(path); }, ExitCode::bad_file,
+                 {"4 mistakes\n", path + ":1:1: key 'chassis' is missing",
+                  "key 'axle' is missing: expected at least one [[axle]]"});
 }
 
 TEST(VehicleFile, ColumnsCountCharacters) {
