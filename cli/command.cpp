@@ -49,7 +49,7 @@ Option& Option::excludes(const Option& other) {
     return *this;
 }
 Option& Option::one_of(std::vector<std::string> words) {
-    const auto check = [words = std::move(words)](std::string& word) {
+    const auto check = [words](std::string& word) {
         const std::vector<std::string_view> known(words.begin(), words.end());
         if (std::ranges::find(known, word) != known.end()) return std::string();
         const auto nearest = io::nearest_word(word, known);
@@ -57,29 +57,33 @@ Option& Option::one_of(std::vector<std::string> words) {
                            nearest ? fmt::format("; did you mean '{}'?", *nearest) : "");
     };
     option_->check(CLI::Validator(check, "", "WORD"));
+    return suggest(std::move(words));
+}
+Option& Option::suggest(std::vector<std::string> words) {
+    (*suggestions_)[option_] = std::move(words);
     return *this;
 }
 
 Option Command::add(const std::string& names, std::string& value, const std::string& meaning) {
-    return Option(app_->add_option(names, value, with_default(meaning, value)));
+    return {app_->add_option(names, value, with_default(meaning, value)), *suggestions_};
 }
 Option Command::add(const std::string& names, std::vector<std::string>& values, const std::string& meaning) {
-    return Option(app_->add_option(names, values, meaning));
+    return {app_->add_option(names, values, meaning), *suggestions_};
 }
 Option Command::add(const std::string& names, bool& value, const std::string& meaning) {
-    return Option(app_->add_flag(names, value, meaning));
+    return {app_->add_flag(names, value, meaning), *suggestions_};
 }
 Option Command::add(const std::string& names, double& value, const Bounds& bounds, const std::string& meaning) {
     const std::string help = with_default(meaning, fmt::format("{:g}", value), bounds.unit);
-    return Option(app_->add_option(names, value, help)->check(inside(bounds)));
+    return {app_->add_option(names, value, help)->check(inside(bounds)), *suggestions_};
 }
 Option Command::add(const std::string& names, std::optional<double>& value, const Bounds& bounds,
                     const std::string& meaning) {
-    return Option(app_->add_option(names, value, in_unit(meaning, bounds.unit))->check(inside(bounds)));
+    return {app_->add_option(names, value, in_unit(meaning, bounds.unit))->check(inside(bounds)), *suggestions_};
 }
 Option Command::add(const std::string& names, long& value, const Bounds& bounds, const std::string& meaning) {
     const std::string help = with_default(meaning, fmt::format("{}", value), bounds.unit);
-    return Option(app_->add_option(names, value, help)->check(inside(bounds)));
+    return {app_->add_option(names, value, help)->check(inside(bounds)), *suggestions_};
 }
 Option Command::add_json(bool& value) {
     return add("--json", value, "print the facts as one JSON object on standard output");
@@ -87,7 +91,7 @@ Option Command::add_json(bool& value) {
 
 CommandList::CommandList(const std::string& description, std::function<std::string()> version)
     : app_(std::make_unique<CLI::App>(description)) {
-    app_->set_version_flag("--version", std::move(version));
+    app_->set_version_flag("-V,--version", std::move(version));
     app_->fallthrough();
     app_->require_subcommand(1);
 }
@@ -96,16 +100,25 @@ CommandList::~CommandList() = default;
 
 Command CommandList::add(const char* name, const char* meaning, std::function<io::ExitCode()> function) {
     commands_.emplace_back(app_->add_subcommand(name, meaning), std::move(function));
-    return Command(commands_.back().first);
+    return {commands_.back().first, suggestions_};
 }
 
 Option CommandList::add(const std::string& names, std::string& value, const std::string& meaning) {
-    return Command(app_.get()).add(names, value, meaning);
+    return Command(app_.get(), suggestions_).add(names, value, meaning);
+}
+
+Option CommandList::add(const std::string& names, bool& value, const std::string& meaning) {
+    return Command(app_.get(), suggestions_).add(names, value, meaning);
 }
 
 bool CommandList::parse(int argc, char** argv, io::ExitCode& code) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    if (!words.empty() && words[0] == "help") {  // hamilcar help run: hamilcar run --help
+        words.erase(words.begin());
+        words.push_back("--help");
+    }
     try {
-        app_->parse(argc, argv);
+        app_->parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes them from the end
         return true;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) {  // --help, --version
@@ -113,9 +126,10 @@ bool CommandList::parse(int argc, char** argv, io::ExitCode& code) {
             code = io::ExitCode::ok;
             return false;
         }
-        const std::string no_command = expected_command(argc, argv);
+        std::string expected = expected_command(words);
+        if (expected.empty() && dynamic_cast<const CLI::ExtrasError*>(&error)) expected = expected_option(words);
         const auto asked = std::ranges::find_if(commands_, [](const auto& one) { return one.first->parsed(); });
-        fmt::print(stderr, "hamilcar: {}\nTry 'hamilcar{} --help'.\n", no_command.empty() ? error.what() : no_command,
+        fmt::print(stderr, "hamilcar: {}\nTry 'hamilcar{} --help'.\n", expected.empty() ? error.what() : expected,
                    asked == commands_.end() ? "" : " " + asked->first->get_name());
         code = io::ExitCode::usage;
         return false;
@@ -130,14 +144,55 @@ io::ExitCode CommandList::run() const {
 }
 
 // CLI11 only says that a word is missing; all commands, or the nearest one to what was typed, help more.
-std::string CommandList::expected_command(int argc, char** argv) const {
+std::string CommandList::expected_command(const std::vector<std::string>& words) const {
     std::vector<std::string_view> names;
     for (const auto& [command, function] : commands_) names.push_back(command->get_name());
-    if (argc < 2) return "expected a command: " + io::quoted_list(names);
-    if (argv[1][0] == '-' || std::ranges::find(names, argv[1]) != names.end()) return {};
-    const auto nearest = io::nearest_word(argv[1], names);
-    return fmt::format("unknown command '{}': expected {}{}", argv[1], io::quoted_list(names),
+    if (words.empty()) return "expected a command: " + io::quoted_list(names);
+    if (words[0].starts_with('-') || std::ranges::find(names, words[0]) != names.end()) return {};
+    const auto nearest = io::nearest_word(words[0], names);
+    return fmt::format("unknown command '{}': expected {}{}", words[0], io::quoted_list(names),
                        nearest ? fmt::format("; did you mean '{}'?", *nearest) : "");
+}
+
+std::string CommandList::expected_option(const std::vector<std::string>& words) const {
+    std::vector<std::string> known;
+    for (const CommandHelp& command : help()) {
+        const bool asked = command.name.empty() || std::ranges::find(words, command.name) != words.end();
+        if (!asked) continue;
+        for (const OptionHelp& option : command.options)
+            known.insert(known.end(), option.names.begin(), option.names.end());
+    }
+    for (const std::string& word : words) {
+        const std::string name = word.substr(0, word.find('='));
+        if (!name.starts_with("--") || std::ranges::find(known, name) != known.end()) continue;
+        const std::vector<std::string_view> names(known.begin(), known.end());
+        const auto nearest = io::nearest_word(name, names);
+        return fmt::format(
+            "unknown option '{}': {}", name,
+            nearest ? fmt::format("did you mean '{}'?", *nearest) : "expected " + io::quoted_list(names));
+    }
+    return {};
+}
+
+std::vector<CommandHelp> CommandList::help() const {
+    const auto described = [&](const CLI::App& app, const std::string& name) {
+        CommandHelp out{.name = name, .meaning = app.get_description(), .options = {}};
+        for (const CLI::Option* option : app.get_options()) {
+            OptionHelp one{.names = {},
+                           .placeholder = option->get_positional() ? option->get_name() : "",
+                           .meaning = option->get_description(),
+                           .takes_value = option->get_items_expected_max() > 0,
+                           .words = {}};
+            for (const std::string& letter : option->get_snames()) one.names.push_back("-" + letter);
+            for (const std::string& word : option->get_lnames()) one.names.push_back("--" + word);
+            if (const auto words = suggestions_.find(option); words != suggestions_.end()) one.words = words->second;
+            out.options.push_back(std::move(one));
+        }
+        return out;
+    };
+    std::vector<CommandHelp> out{described(*app_, "")};
+    for (const auto& [command, function] : commands_) out.push_back(described(*command, command->get_name()));
+    return out;
 }
 
 }  // namespace hamilcar::cli

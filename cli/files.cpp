@@ -56,6 +56,10 @@ void check_output(const std::string& path) {
                     "--output: " + path + " is there and is no page: expected a new file, or .html");
 }
 
+void tell_written(bool json, const std::string& what) {
+    if (!json) fmt::print("wrote {}\n", what);
+}
+
 void print_or_write(const std::string& file, const std::string& text) {
     if (file.empty()) {
         fmt::print("{}", text);

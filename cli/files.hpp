@@ -25,6 +25,8 @@ void make_folder(const std::string& path);
 void write_file(const std::string& path, const std::string& text);
 // Where a page may go: a page that takes a result's place would be a run lost. Throws io::Error(usage).
 void check_output(const std::string& path);
+// "wrote ...", on standard output unless that is one JSON object.
+void tell_written(bool json, const std::string& what);
 // To standard output, or to a file where one is named.
 void print_or_write(const std::string& file, const std::string& text);
 

@@ -227,7 +227,7 @@ io::ExitCode kinematics(const KinematicsOptions& options) {
     if (options.json) fmt::print("{}\n", io::json_text(all));
     if (!options.output.empty()) {
         io::write_page(options.output + "/kinematics.html", page);
-        fmt::print(stderr, "wrote kinematics.html and the tables of every axle to {}\n", options.output);
+        tell_written(options.json, "kinematics.html and the tables of every axle to " + options.output);
     }
     return io::ExitCode::ok;
 }

@@ -1,5 +1,6 @@
 // `hamilcar`: the list of its commands, and what becomes of an error. A skin: no physics here.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -13,17 +14,21 @@
 #include "hamilcar/analysis/no_solution.hpp"
 #include "hamilcar/engine/engines.hpp"
 #include "interrupt.hpp"
+#include "progress.hpp"
 
 namespace {
 
 namespace cli = hamilcar::cli;
 using hamilcar::io::ExitCode;
 
+std::vector<std::string> engine_names() {
+    std::vector<std::string> names;
+    for (const hamilcar::Engine* one : hamilcar::engines()) names.emplace_back(one->name);
+    return names;
+}
+
 std::string version() {
-    std::string names;
-    for (const hamilcar::Engine* one : hamilcar::engines())
-        names += (names.empty() ? "" : ", ") + std::string(one->name);
-    return fmt::format("hamilcar " HAMILCAR_VERSION "\nengines: {}", names);
+    return fmt::format("hamilcar " HAMILCAR_VERSION "\nengines: {}", fmt::join(engine_names(), ", "));
 }
 
 void choose_engine(const std::string& name) {
@@ -41,10 +46,17 @@ ExitCode run_command(int argc, char** argv) {
         "6 internal error, 130 interrupted",
         version);
     std::string engine;
-    list.add("--engine", engine, "what runs the equations, of those that --version lists [the fastest]");
+    bool quiet = false;
+    list.add("--engine", engine, "what runs the equations, of those that --version lists [the fastest]")
+        .suggest(engine_names());
+    list.add("-q,--quiet", quiet, "print nothing but errors");
     for (cli::AddCommand* add : cli::add_commands) add(list);
     ExitCode code = ExitCode::ok;
     if (!list.parse(argc, argv, code)) return code;
+    if (quiet) {
+        cli::hide_progress();
+        if (!std::freopen("/dev/null", "w", stdout)) return ExitCode::input_output;
+    }
     if (!engine.empty()) choose_engine(engine);
     if (!hamilcar::refused_engines().empty()) {
         fmt::print(stderr, "hamilcar: {}: the portable engine runs instead, which is slower\n",

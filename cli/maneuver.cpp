@@ -24,14 +24,20 @@
 
 namespace hamilcar::cli {
 
+std::vector<std::string> maneuver_names() {
+    std::vector<std::string> names;
+    for (const Maneuver& maneuver : maneuvers()) names.push_back(maneuver.name);
+    return names;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
 
 const Maneuver& require_maneuver(const std::string& name) {
     if (const Maneuver* maneuver = find_maneuver(name)) return *maneuver;
-    std::vector<std::string_view> names;
-    for (const Maneuver& maneuver : maneuvers()) names.push_back(maneuver.name);
+    const std::vector<std::string> all = maneuver_names();
+    const std::vector<std::string_view> names(all.begin(), all.end());
     const std::string hint = io::did_you_mean(name, names);
     throw io::Error(io::ExitCode::bad_file,
                     fmt::format("there is no maneuver '{}': expected {}{}", name, io::quoted_list(names),

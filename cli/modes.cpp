@@ -236,7 +236,7 @@ io::ExitCode modes(const OperationOptions& options) {
     }
     if (!options.output.empty()) {
         write_files(options, model, all, vehicle);
-        fmt::print(stderr, "wrote modes.html, A, B, C, D, modes and responses to {}\n", options.output);
+        tell_written(options.json, "modes.html, A, B, C, D, modes and responses to " + options.output);
     }
     return io::ExitCode::ok;
 }

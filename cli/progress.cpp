@@ -8,8 +8,18 @@
 
 namespace hamilcar::cli {
 
+namespace {
+bool hidden = false;  // set before any command runs
+}  // namespace
+
+void hide_progress() {
+    hidden = true;
+}
+
 Progress::Progress(std::string label)
-    : label_(std::move(label)), visible_(isatty(STDERR_FILENO) != 0), color_(std::getenv("NO_COLOR") == nullptr) {}
+    : label_(std::move(label)),
+      visible_(!hidden && isatty(STDERR_FILENO) != 0),
+      color_(std::getenv("NO_COLOR") == nullptr) {}
 
 void Progress::show(double share) {
     if (!visible_) return;

@@ -6,6 +6,9 @@
 
 namespace hamilcar::cli {
 
+// None is shown from here on.
+void hide_progress();
+
 class Progress {
 public:
     explicit Progress(std::string label);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "commands.hpp"
+#include "files.hpp"
 #include "hamilcar/io/crg_file.hpp"
 #include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/scenario_file.hpp"
@@ -119,8 +120,8 @@ io::ExitCode road(const RoadOptions& options) {
     }
     if (!options.output.empty()) {
         io::write_crg(as_crg(ground, options.length, step, half_width), options.output, io::CrgFormat::binary_double);
-        fmt::print(stderr, "wrote {:g} m of road, {:g} m wide, as OpenCRG to {}\n", options.length, 2 * half_width,
-                   options.output);
+        tell_written(options.json, fmt::format("{:g} m of road, {:g} m wide, as OpenCRG to {}", options.length,
+                                               2 * half_width, options.output));
     }
     return io::ExitCode::ok;
 }

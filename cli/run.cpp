@@ -200,7 +200,9 @@ void add_run(CommandList& list) {
         list.add<RunOptions>("run", "run a scenario and write its results as CSV, netCDF and a page", run);
     const Option scenario = command.add("scenario", o.scenario, "scenario file (TOML)");
     command.add("-o,--output", o.output, "folder for the results [out/NAME]");
-    command.add("--maneuver", o.maneuver, "a standard maneuver instead ('hamilcar maneuvers')").excludes(scenario);
+    command.add("--maneuver", o.maneuver, "a standard maneuver instead ('hamilcar maneuvers')")
+        .excludes(scenario)
+        .suggest(maneuver_names());
     command.add("--vehicle", o.vehicle, "vehicle file (TOML) [the scenario's; the shipped 323i]");
     command.add("--set", o.settings, "a setting of the maneuver, NAME=VALUE; may be repeated");
     command.add("--step", o.step, {io::time_step.min, io::time_step.max, "s"},

@@ -167,7 +167,7 @@ io::ExitCode tire(const TireOptions& options) {
     page.blocks.push_back(figures_table(figures));
     for (const std::string& note : file.tire.remarks) page.blocks.push_back(io::Paragraph{note});
     io::write_page(options.output + "/tire.html", page);
-    fmt::print(stderr, "wrote tire.html and tables of the curves to {}\n", options.output);
+    tell_written(options.json, "tire.html and tables of the curves to " + options.output);
     return io::ExitCode::ok;
 }
 

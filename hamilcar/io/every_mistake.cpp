@@ -23,7 +23,7 @@ struct Mistake {
     std::string text;
 };
 
-// What may be in a table once it is known what nobody can tell from the file: with a wrong word any branch may be meant.
+// What may be in a table once it is known what cannot be told from the file: with a wrong word any branch may be meant.
 void loosen(TableRecord& table) {
     TableRecord all;
     join(all, table);
@@ -145,7 +145,7 @@ private:
         }
         return std::nullopt;
     }
-    // As TableReader::chosen: a file's own choice overrides the one that it inherits, whose keys nobody reads.
+    // As TableReader::chosen: a file's own choice overrides the one that it inherits, whose keys are not read.
     std::optional<std::size_t> group_of(const Node& node, const std::string& path, const Choice& choice) {
         std::size_t group = 0;
         const Node* best = nullptr;

@@ -1,4 +1,4 @@
-// What kind of file somebody gave, where another was expected: a message about its first line would help nobody.
+// What kind of file somebody gave, where another was expected: a message about its first line would not help.
 #pragma once
 
 #include <functional>
