@@ -175,6 +175,24 @@ TEST(Differential, SplitsTorqueAndLocksByItsKind) {
     EXPECT_EQ(viscous.evaluate(0, 25, 25, windup).lock, 0) << "no slip";
 }
 
+// Power in is power out and what the lock takes up, which its friction loses and its torsion stores.
+TEST(Differential, PassesOnThePowerThatComesIn) {
+    VehicleDescription d = axle();
+    DifferentialDescription& rear = d.differentials[0];
+    rear.kind = DifferentialKind::limited_slip, rear.locking_drive = 0.2, rear.preload = 30, rear.share = 0.4;
+    const auto made = make_powertrain<double>(d).differentials[0];
+    for (const double torque : {-150.0, 0.0, 400.0}) {
+        for (const auto& [a, b] : {std::pair{30.0, 20.0}, {20.0, 30.0}, {-5.0, 8.0}}) {
+            for (const double windup : {-0.02, 0.0, 0.01}) {
+                const auto out = made.evaluate(torque, a, b, windup);
+                EXPECT_NEAR(torque * made.input_speed(a, b), out.a * a + out.b * b + out.loss, 1e-9);
+                EXPECT_NEAR(made.input_speed(a, b), rear.ratio * (0.4 * a + 0.6 * b), 1e-12);
+                EXPECT_NEAR(out.a + out.lock, 0.4 * rear.ratio * torque, 1e-9) << "torques are shared as speeds are";
+            }
+        }
+    }
+}
+
 TEST(Powertrain, PropagatesTorquesDownTheTreeAndSpeedsUp) {
     VehicleDescription d = axle();
     d.suspensions.resize(4, d.suspensions[0]);

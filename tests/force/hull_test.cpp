@@ -56,6 +56,22 @@ TEST(Hull, AtRestIsMinusTheGradientOfItsPotential) {
 }
 
 // One point: the force splits into a normal part with Hunt and Crossley's factor and a tangential one against the slip.
+// What decides whether the points are looked at: the box around them is never higher than the lowest of them.
+TEST(Hull, IsInsideItsBoxHoweverItTurns) {
+    const auto hull = hull_of(box);
+    std::mt19937 source(5);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    for (int i = 0; i < 500; ++i) {
+        const Vec3<double> axis = Vec3<double>(unit(source), unit(source), unit(source)).normalized();
+        const auto plane =
+            road.seen_from(Vec3<double>(0, 0, 2 * unit(source)), axis_rotation<double>(axis, 3 * unit(source)));
+        double lowest = 1e9;
+        for (const Vec3<double>& point : hull.points) lowest = std::min(lowest, plane.normal.dot(point) - plane.offset);
+        EXPECT_LE(hull.clearance(plane), lowest + 1e-12);
+        EXPECT_TRUE(lowest > 0 || hull.may_touch(plane));
+    }
+}
+
 TEST(Hull, FrictionOpposesTheSlip) {
     const Vec3<double> point(0.75, -0.7, 0.45);
     const auto hull = hull_of({{0.75, -0.7, 0.45}});

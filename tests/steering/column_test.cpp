@@ -44,6 +44,21 @@ TEST(Column, HasCorrectDerivativesAndInverse) {
     }
 }
 
+// Where the ratio changes tenfold from one piece to the next a cubic through the mean slopes would turn back.
+TEST(Column, NeverTurnsBackHoweverTheRatioChanges) {
+    const Column column({.rack_per_revolution = 0,
+                         .rack_travel = 0.08,
+                         .angle = {0, 1, 2, 3, 4},
+                         .rack = {0, 0.001, 0.041, 0.042, 0.082}});
+    double before = column.rack(-4).displacement;
+    for (double angle = -4 + 0.01; angle < 4; angle += 0.01) {
+        const Column::Rack at = column.rack(angle);
+        EXPECT_GT(at.displacement, before) << angle;
+        EXPECT_GE(at.slope, 0) << angle;
+        before = at.displacement;
+    }
+}
+
 TEST(Column, MovesTheRackByTheChainRule) {
     const Column column(varying());
     const auto angle = [](double t) { return 2 + 3 * t - 0.5 * t * t; };
