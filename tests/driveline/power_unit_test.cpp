@@ -223,5 +223,25 @@ TEST(Powertrain, PropagatesTorquesDownTheTreeAndSpeedsUp) {
     EXPECT_NEAR(out.supplied, out.units[0].source * 300, 1e-9);
 }
 
+// A hybrid: what several units give to one differential adds up.
+TEST(Powertrain, AddsTheTorquesOfItsUnits) {
+    VehicleDescription d = axle();
+    d.power_units.push_back(d.power_units[0]);
+    d.power_units[1].name = "second";
+    Powertrain<double> p = make_powertrain<double>(d);
+    p.unit_place = 0, p.differential_place = 8, p.supplied_place = 9;
+    const std::array<double, max_driven_wheels> speeds{10, 10};
+    std::vector<double> values(10);
+    for (std::size_t i = 0; i < 2; ++i) {
+        p.unit_state(i, values.data()).momentum = 0.2 * 300;
+        p.unit_state(i, values.data()).windup = i == 0 ? 0.1 : 0.05;
+    }
+    PowertrainMomenta<double> out;
+    p.evaluate(0.5, 0, 2, Vec3<double>::Zero(), speeds, values.data(), out);
+    EXPECT_GT(out.units[0].out, out.units[1].out + 1);
+    EXPECT_NEAR(out.wheels[0], 3 * (out.units[0].out + out.units[1].out) / 2, 1e-9);
+    EXPECT_NEAR(out.supplied, 300 * (out.units[0].source + out.units[1].source), 1e-9);
+}
+
 }  // namespace
 }  // namespace hamilcar
