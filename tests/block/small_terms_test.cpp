@@ -35,6 +35,33 @@ TEST(TireWrench, HasTheTiresMomentsAboutTheContact) {
     EXPECT_NEAR(force[2], out.tire.Fz, 1e-9);
 }
 
+// A wheel at rest on a post that rises is pressed at the rate at which its depth grows, and takes the power of the post.
+TEST(TireWrench, FeelsThePostThatRises) {
+    RoadDescription description;
+    description.posts.height.push_back({{0, 1}, {0, 0.04}, Interpolation::smooth});
+    const auto surface = make_surface(description);
+    const Tire<double> tire = make_tire<double>(TireDescription(test::magic_tire()));
+    const double radius = test::magic_tire().casing.radius;
+    const Vec3<double> center(0.4, 0.7, radius), axis = Vec3<double>::UnitY();
+    const auto at = [&](double time) {
+        const UnevenGround<double> uneven{surface.get(),        Vec3<double>::UnitZ(),    1,
+                                          Vec3<double>::Zero(), Mat3<double>::Identity(), time};
+        const UnitGround<double> ground{TangentPlane<double>{Vec3<double>::UnitZ(), 0, 1}, &uneven};
+        TireForces<double> out;
+        double torque = 0;
+        tire_wrench<double>(tire, {ground, {0, 0}}, center, axis, Spatial<double>::Zero(), 0, 0, 0, 0, out, torque);
+        return out;
+    };
+    constexpr double time = 0.6, h = 1e-6;
+    const TireForces<double> here = at(time);
+    const double rate = (at(time + h).contact.depth - at(time - h).contact.depth) / (2 * h);
+    EXPECT_GT(rate, 0.03);
+    EXPECT_NEAR(here.contact.depth_rate, rate, 1e-7);
+    EXPECT_NEAR(here.rise, rate, 1e-7);
+    const double damped = here.tire.Fz - here.tire.elastic;  // what its damping takes of the power
+    EXPECT_NEAR(lost_in_tire(here), here.tire.Fz * rate - damped * rate, 1e-6 * here.tire.Fz);
+}
+
 TEST(Trailer, LosesTheEnergyThatItsYawDampingTakes) {
     VehicleDescription truck = test::shipped("truck_semitrailer");
     ASSERT_FALSE(truck.trailers.empty());
@@ -101,6 +128,15 @@ TEST(Lock, WindsUpWithTheDifferenceOfItsWheels) {
     State<double> rate;
     evaluate_rhs(model, Input<double>{}, state, rate);
     EXPECT_NEAR(powertrain.windup(0, rate.values.data()), ahead, 1e-9);
+}
+
+// What the paper's chart stores is what it gives back, at any angles.
+TEST(BryantChart, GivesBackTheMomentumThatItStores) {
+    const Vector<double, 4> orientation(0.4, -0.7, 2.1, 0);
+    const Spatial<double> momentum = (Spatial<double>() << 900, -300, 50, 700, -1100, 2500).finished();
+    const Spatial<double> stored = BryantChart<double>::stored_momentum(orientation, momentum);
+    EXPECT_LT((BryantChart<double>::momentum(orientation, stored) - momentum).norm(), 1e-10);
+    EXPECT_GT((stored - momentum).norm(), 100) << "D is not the identity here";
 }
 
 // A step keeps |q| = 1 to the second order of what it loses; without that a coarse one would lose 1e-4 in this second.

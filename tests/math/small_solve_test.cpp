@@ -54,6 +54,24 @@ TEST(Inverse, InvertsItsMatrixAndGivesItsDeterminant) {
     EXPECT_EQ(one.determinant, -4);
 }
 
+// With zeros on the diagonal, where rows have to be exchanged, as many times as it takes.
+TEST(InvertInPlace, ExchangesRowsAndKeepsTheDeterminantsSign) {
+    constexpr int N = 5;
+    std::mt19937 source(11);
+    int negative = 0;
+    for (int trial = 0; trial < 50; ++trial) {
+        Matrix<double, N, N> A = random_matrix<N>(source);
+        for (int i = 0; i < N; ++i) A(i, i) = 0;
+        Matrix<double, N, N> result = A;
+        const double determinant = invert_in_place<double, N>(result, N);
+        EXPECT_LE((result * A - Matrix<double, N, N>::Identity()).norm(), 1e-12 * A.norm() * result.norm());
+        EXPECT_NEAR(determinant, A.partialPivLu().determinant(), 1e-13);
+        negative += determinant < 0 ? 1 : 0;
+    }
+    EXPECT_GT(negative, 5);
+    EXPECT_LT(negative, 45);
+}
+
 TEST(Convert, KeepsTheOrderOfTheNumbers) {
     EXPECT_EQ(vec3({1, 2, 3}), Vec3<double>(1, 2, 3));
     EXPECT_EQ(as<float>(Vec3<double>(1, 2, 3)), Vec3<float>(1, 2, 3));
