@@ -95,7 +95,8 @@ std::string zsh_argument(const OptionHelp& option) {
     for (const char c : option.meaning) meaning += (c == '[' || c == ']' || c == ':' ? "\\" : "") + std::string(1, c);
     std::string out;
     for (const std::string& name : option.names) {
-        out += (out.empty() ? "" : " ") + quoted(name + "[" + meaning + "]" + (option.takes_value ? value : ""));
+        if (!out.empty()) out += ' ';
+        out += quoted(fmt::format("{}[{}]{}", name, meaning, option.takes_value ? value : ""));
     }
     return out;
 }
@@ -108,7 +109,7 @@ std::string zsh_script(const std::vector<CommandHelp>& all) {
         commands += "        " + quoted(command.name + ":" + command.meaning) + "\n";
         std::string arguments;
         for (const OptionHelp& option : command.options) arguments += " " + zsh_argument(option);
-        cases += "                " + command.name + ") _arguments" + arguments + everywhere + " ;;\n";
+        cases += fmt::format("                {}) _arguments{}{} ;;\n", command.name, arguments, everywhere);
     }
     return "#compdef hamilcar\n"
            "# hamilcar for zsh: put this as _hamilcar into a folder of $fpath.\n"
