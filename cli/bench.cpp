@@ -9,14 +9,13 @@
 #include "files.hpp"
 #include "hamilcar/bench/bench.hpp"
 #include "hamilcar/io/json_text.hpp"
-#include "hamilcar/io/vehicle_file.hpp"
 
 namespace hamilcar::cli {
 
 namespace {
 
 struct BenchOptions {
-    std::string vehicle;
+    VehicleChoice vehicle;
     double seconds = 20;
     bool json = false;
 };
@@ -131,7 +130,7 @@ void print_report(const BenchReport& report) {
 }
 
 io::ExitCode bench(const BenchOptions& options) {
-    const VehicleDescription vehicle = io::read_vehicle(vehicle_or_shipped(options.vehicle));
+    const VehicleDescription vehicle = read_vehicle_or_shipped(options.vehicle);
     const bool terminal = isatty(STDERR_FILENO) != 0;
     const BenchReport report = hamilcar::bench(vehicle, options.seconds, [&](const std::string& part) {
         if (terminal) fmt::print(stderr, "\r\033[K{} ...", part);
@@ -150,7 +149,8 @@ io::ExitCode bench(const BenchOptions& options) {
 void add_bench(CommandList& list) {
     auto [command, o] =
         list.add<BenchOptions>("bench", "measure how fast this machine steps a car, alone and in batches", bench);
-    command.add("vehicle", o.vehicle, "another vehicle file than the shipped car's");
+    command.add("vehicle", o.vehicle.file, "another vehicle file than the shipped car's");
+    add_vehicle_set(command, o.vehicle);
     command.add("--seconds", o.seconds, {0.1, 3600, "s"}, "about how long to measure");
     command.add_json(o.json);
 }

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "files.hpp"
 #include "hamilcar/io/scenario_file.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/maneuver/maneuver.hpp"
@@ -86,13 +85,13 @@ std::optional<live::TestCourse> course_on(const std::string& road, const Vehicle
 
 }  // namespace
 
-live::Catalog make_catalog(const std::string& vehicle, const std::string& scenario) {
+live::Catalog make_catalog(const VehicleChoice& vehicle, const std::string& scenario) {
     live::Catalog catalog;
     const std::string default_vehicle = shipped_file("vehicles/bmw_323i.toml");
     const std::string vehicles = fs::path(default_vehicle).parent_path().string();
     const std::string scenarios = fs::path(shipped_file("scenarios/paper.toml")).parent_path().string();
     add_choices(
-        files_in(vehicles, vehicle), [](const std::string& file) { return io::read_vehicle(file).name; },
+        files_in(vehicles, vehicle.file), [](const std::string& file) { return io::read_vehicle(file).name; },
         catalog.vehicles);
     catalog.roads.push_back({level_ground, level_ground});
     add_choices(
@@ -100,11 +99,12 @@ live::Catalog make_catalog(const std::string& vehicle, const std::string& scenar
         catalog.roads);
     add_courses(io::read_vehicle(default_vehicle), catalog.roads);
     catalog.course = course_on;
-    catalog.open = [](const live::LoadRequest& request) {
+    catalog.open = [vehicle](const live::LoadRequest& request) {
         const std::optional<ScenarioDescription> level = level_road(request.road);
         ScenarioDescription road = level ? *level : io::read_scenario(request.road);
         road.initial.velocity = road.initial.angular_velocity = {0, 0, 0};
-        return std::pair(io::read_vehicle(request.vehicle), road);
+        const bool is_named = fs::exists(request.vehicle) && fs::equivalent(request.vehicle, vehicle.file);
+        return std::pair(read_vehicle({request.vehicle, is_named ? vehicle.set : std::vector<std::string>{}}), road);
     };
     return catalog;
 }

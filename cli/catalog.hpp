@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "files.hpp"
 #include "hamilcar/live/session.hpp"
 
 namespace hamilcar::cli {
@@ -12,8 +13,8 @@ namespace hamilcar::cli {
 // A road that needs no file.
 inline constexpr const char* level_ground = "level ground";
 
-// Either may be empty. Vehicles start at rest, at the position that the scenario gives.
-live::Catalog make_catalog(const std::string& vehicle, const std::string& scenario);
+// The scenario may be empty. Keys that were set are set of that vehicle alone. Vehicles start at rest, at the position that the scenario gives.
+live::Catalog make_catalog(const VehicleChoice& vehicle, const std::string& scenario);
 
 // The id under which a file is listed, by whatever path it was named.
 std::string choice_of(const std::vector<live::Selectable>& choices, const std::string& file);

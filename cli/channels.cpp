@@ -9,19 +9,18 @@
 #include "commands.hpp"
 #include "files.hpp"
 #include "hamilcar/io/json_text.hpp"
-#include "hamilcar/io/vehicle_file.hpp"
 
 namespace hamilcar::cli {
 
 namespace {
 
 struct ChannelsOptions {
-    std::string vehicle;
+    VehicleChoice vehicle;
     bool json = false;
 };
 
 io::ExitCode channels(const ChannelsOptions& options) {
-    const std::vector<Channel> all = all_channels(io::read_vehicle(vehicle_or_shipped(options.vehicle)));
+    const std::vector<Channel> all = all_channels(read_vehicle_or_shipped(options.vehicle));
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     std::size_t width = 0;
     for (const Channel& channel : all) width = std::max(width, channel.column.name.size());
@@ -41,7 +40,8 @@ io::ExitCode channels(const ChannelsOptions& options) {
 
 void add_channels(CommandList& list) {
     auto [command, o] = list.add<ChannelsOptions>("channels", "list what a run can record of a vehicle", channels);
-    command.add("vehicle", o.vehicle, "vehicle file (TOML) [the shipped 323i]");
+    command.add("vehicle", o.vehicle.file, "vehicle file (TOML) [the shipped 323i]");
+    add_vehicle_set(command, o.vehicle);
     command.add_json(o.json);
 }
 

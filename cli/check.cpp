@@ -10,6 +10,7 @@
 #include "hamilcar/io/file_kind.hpp"
 #include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/scenario_file.hpp"
+#include "hamilcar/io/set_key.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/run/channels.hpp"
 #include "hamilcar/run/scenario_checks.hpp"
@@ -20,7 +21,8 @@ namespace hamilcar::cli {
 namespace {
 
 struct CheckOptions {
-    std::string file, output;
+    VehicleChoice named;  // of a scenario too
+    std::string output;
     bool json = false, structure = false, strict = false;
 };
 
@@ -112,10 +114,14 @@ CheckReport inspect(const Simulation& simulation, const VehicleDescription& reco
 
 io::ExitCode check(const CheckOptions& options) {
     io::Node document;
-    io::expect_kind(options.file, io::FileKind::vehicle, [&] { document = io::read_toml(options.file); });
+    io::expect_kind(options.named.file, io::FileKind::vehicle, [&] { document = io::read_toml(options.named.file); });
     const bool is_scenario = io::is_scenario(document);
-    const ScenarioDescription scenario = is_scenario ? io::read_scenario(document) : standing_still(options.file);
-    const VehicleDescription vehicle = is_scenario ? io::read_vehicle(scenario.vehicle) : io::read_vehicle(document);
+    if (!is_scenario) {
+        for (const std::string& assignment : options.named.set) io::set_key(document, assignment, "--vehicle-set");
+    }
+    const ScenarioDescription scenario = is_scenario ? io::read_scenario(document) : standing_still(options.named.file);
+    const VehicleDescription vehicle =
+        is_scenario ? read_vehicle({scenario.vehicle, options.named.set}) : io::read_vehicle(document);
     if (!scenario.maneuver.name.empty()) check_maneuver(scenario, vehicle);
     select_channels(all_channels(as_driven(vehicle, scenario)), scenario.output.channels, scenario.places);
     // What does not even settle may have its cause here.
@@ -130,7 +136,7 @@ io::ExitCode check(const CheckOptions& options) {
     }();
     // A vehicle by itself stands still; others may run its power units.
     const VehicleDescription& recorded = is_scenario ? simulation->vehicle() : vehicle;
-    const CheckReport report = inspect(*simulation, recorded, options.file);
+    const CheckReport report = inspect(*simulation, recorded, options.named.file);
     print_or_write(options.output,
                    options.json ? io::json_text(json_of(report)) + "\n" : text_of(report, options.structure));
     return options.strict && !report.oddities.empty() ? io::ExitCode::bad_file : io::ExitCode::ok;
@@ -141,7 +147,8 @@ io::ExitCode check(const CheckOptions& options) {
 void add_check(CommandList& list) {
     auto [command, o] =
         list.add<CheckOptions>("check", "validate a vehicle or scenario file and print what it describes", check);
-    command.add("file", o.file, "vehicle or scenario file (TOML)").required();
+    command.add("file", o.named.file, "vehicle or scenario file (TOML)").required();
+    add_vehicle_set(command, o.named);
     command.add("-o,--output", o.output, "file for the report, instead of standard output");
     command.add("--structure", o.structure, "joints, coordinates and degrees of freedom as well");
     command.add("--strict", o.strict, "whatever is odd about the vehicle is a mistake (exit code 3)");

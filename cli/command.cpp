@@ -68,7 +68,9 @@ Option Command::add(const std::string& names, std::string& value, const std::str
     return {app_->add_option(names, value, with_default(meaning, value)), *suggestions_};
 }
 Option Command::add(const std::string& names, std::vector<std::string>& values, const std::string& meaning) {
-    return {app_->add_option(names, values, meaning), *suggestions_};
+    CLI::Option* option = app_->add_option(names, values, meaning);
+    if (names.starts_with('-')) option->allow_extra_args(false);  // one each time: what follows is another word
+    return {option, *suggestions_};
 }
 Option Command::add(const std::string& names, bool& value, const std::string& meaning) {
     return {app_->add_flag(names, value, meaning), *suggestions_};

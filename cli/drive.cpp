@@ -10,7 +10,6 @@
 #include "files.hpp"
 #include "hamilcar/io/page.hpp"
 #include "hamilcar/io/scenario_file.hpp"
-#include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/live/server.hpp"
 #include "interrupt.hpp"
 
@@ -19,19 +18,20 @@ namespace hamilcar::cli {
 namespace {
 
 struct DriveOptions {
-    std::string vehicle, scenario, output = "out/drive";
+    VehicleChoice vehicle;
+    std::string scenario, output = "out/drive";
     long port = 0;  // any
     bool no_browser = false;
 };
 
 io::ExitCode drive(const DriveOptions& options) {
-    const std::string vehicle = vehicle_or_shipped(options.vehicle);
-    io::read_vehicle(vehicle);  // an error in it is reported before anything is opened
+    const VehicleChoice vehicle{vehicle_or_shipped(options.vehicle.file), options.vehicle.set};
+    read_vehicle(vehicle);  // an error in it is reported before anything is opened
     double friction = 1;
     if (!options.scenario.empty()) friction = io::read_scenario(options.scenario).road.friction;
     live::Catalog catalog = make_catalog(vehicle, options.scenario);
     const live::LoadRequest first{
-        .vehicle = choice_of(catalog.vehicles, vehicle),
+        .vehicle = choice_of(catalog.vehicles, vehicle.file),
         .road = options.scenario.empty() ? level_ground : choice_of(catalog.roads, options.scenario),
         .friction = friction};
     live::Session session(std::move(catalog), first, options.output);
@@ -53,7 +53,8 @@ io::ExitCode drive(const DriveOptions& options) {
 void add_drive(CommandList& list) {
     auto [command, o] =
         list.add<DriveOptions>("drive", "drive a vehicle in the browser: the full model in real time", drive);
-    command.add("vehicle", o.vehicle, "vehicle file (TOML) [the shipped 323i]");
+    command.add("vehicle", o.vehicle.file, "vehicle file (TOML) [the shipped 323i]");
+    add_vehicle_set(command, o.vehicle);
     command.add("--road", o.scenario, "scenario file (TOML) whose road and course to start on");
     command.add("--port", o.port, {0, 65535}, "on 127.0.0.1, any if 0");
     command.add("-o,--output", o.output, "folder for recordings");

@@ -4,6 +4,9 @@
 
 #include <filesystem>
 
+#include "hamilcar/io/file_kind.hpp"
+#include "hamilcar/io/set_key.hpp"
+#include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::cli {
@@ -16,6 +19,29 @@ std::string shipped_file(const std::string& name) {
     }
     throw io::Error(io::ExitCode::input_output,
                     name + ": not found here, in the source or where hamilcar is installed");
+}
+
+void add_vehicle_set(Command& command, VehicleChoice& choice) {
+    command.add("--vehicle-set", choice.set, "a key of the vehicle with another value, KEY=VALUE; may be repeated");
+}
+
+io::Node vehicle_document(const VehicleChoice& choice) {
+    io::Node document = io::read_toml(choice.file);
+    for (const std::string& assignment : choice.set) io::set_key(document, assignment, "--vehicle-set");
+    return document;
+}
+
+VehicleDescription read_vehicle(const VehicleChoice& choice) {
+    VehicleDescription vehicle;
+    io::expect_kind(choice.file, io::FileKind::vehicle, [&] {
+        io::Node document = vehicle_document(choice);
+        vehicle = io::read_vehicle(document);
+    });
+    return vehicle;
+}
+
+VehicleDescription read_vehicle_or_shipped(const VehicleChoice& choice) {
+    return read_vehicle({vehicle_or_shipped(choice.file), choice.set});
 }
 
 std::string vehicle_or_shipped(const std::string& file) {
@@ -54,6 +80,11 @@ void check_output(const std::string& path) {
     if (!std::filesystem::exists(path) || extension == ".html" || extension == ".htm") return;
     throw io::Error(io::ExitCode::usage,
                     "--output: " + path + " is there and is no page: expected a new file, or .html");
+}
+
+void check_table_output(const std::string& path) {
+    if (!std::filesystem::exists(path) || std::filesystem::path(path).extension() == ".csv") return;
+    throw io::Error(io::ExitCode::usage, "--csv: " + path + " is there and is no table: expected a new file, or .csv");
 }
 
 void tell_written(bool json, const std::string& what) {

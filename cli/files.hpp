@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "command.hpp"
 #include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/folder_lock.hpp"
+#include "hamilcar/io/toml_document.hpp"
 
 namespace hamilcar::cli {
 
@@ -15,6 +17,18 @@ namespace hamilcar::cli {
 std::string shipped_file(const std::string& name);
 // The file that was named, or the shipped 323i.
 std::string vehicle_or_shipped(const std::string& file);
+// A vehicle as the command line names it.
+struct VehicleChoice {
+    std::string file;
+    std::vector<std::string> set;  // "KEY=VALUE", keys of the file with other values
+};
+// --vehicle-set, which every command has that reads a vehicle.
+void add_vehicle_set(Command& command, VehicleChoice& choice);
+// With the keys that were set. Throws io::Error.
+io::Node vehicle_document(const VehicleChoice& choice);
+VehicleDescription read_vehicle(const VehicleChoice& choice);
+// The same, of the shipped 323i where no file is named.
+VehicleDescription read_vehicle_or_shipped(const VehicleChoice& choice);
 // What the readers of a vehicle's tire property files remarked, by file.
 std::map<std::string, std::vector<std::string>> tire_remarks(const VehicleDescription& vehicle);
 // Creates a folder with its parents; throws io::Error(input_output).
@@ -25,6 +39,8 @@ void make_folder(const std::string& path);
 void write_file(const std::string& path, const std::string& text);
 // Where a page may go: a page that takes a result's place would be a run lost. Throws io::Error(usage).
 void check_output(const std::string& path);
+// Where a table may go, likewise.
+void check_table_output(const std::string& path);
 // "wrote ...", on standard output unless that is one JSON object.
 void tell_written(bool json, const std::string& what);
 // To standard output, or to a file where one is named.

@@ -13,7 +13,6 @@
 #include "hamilcar/io/csv.hpp"
 #include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/page.hpp"
-#include "hamilcar/io/vehicle_file.hpp"
 
 namespace hamilcar::cli {
 
@@ -22,7 +21,8 @@ namespace {
 using units::degree;
 
 struct KinematicsOptions {
-    std::string vehicle, output;
+    VehicleChoice vehicle;
+    std::string output;
     double travel = 80;  // each way [mm]
     bool json = false;
 };
@@ -193,14 +193,14 @@ void print_report(const AxleReport& axle) {
 }
 
 io::ExitCode kinematics(const KinematicsOptions& options) {
-    const VehicleDescription vehicle = io::read_vehicle(options.vehicle);
+    const VehicleDescription vehicle = read_vehicle(options.vehicle);
     SweepRange range;
     range.travel = 1e-3 * options.travel;
     const std::vector<AxleReport> axles = [&] {
         try {
             return hamilcar::kinematics(vehicle, range);
         } catch (const NoSolution& error) {
-            throw io::Error(io::ExitCode::numerical, options.vehicle + ": " + error.what());
+            throw io::Error(io::ExitCode::numerical, options.vehicle.file + ": " + error.what());
         }
     }();
     nlohmann::json all = nlohmann::json::array();
@@ -237,7 +237,8 @@ io::ExitCode kinematics(const KinematicsOptions& options) {
 void add_kinematics(CommandList& list) {
     auto [command, o] =
         list.add<KinematicsOptions>("kinematics", "move every axle through bump, roll and steer", kinematics);
-    command.add("vehicle", o.vehicle, "vehicle file (TOML)").required();
+    command.add("vehicle", o.vehicle.file, "vehicle file (TOML)").required();
+    add_vehicle_set(command, o.vehicle);
     command.add("--travel", o.travel, {1, 1000, "mm"}, "of the wheels, each way");
     command.add("-o,--output", o.output, "folder for tables and a page");
     command.add_json(o.json);

@@ -1,25 +1,20 @@
-// Standard maneuvers: `hamilcar run --maneuver NAME --vehicle FILE`, scenario files with a [maneuver], `hamilcar maneuvers` and
-// `hamilcar compare`.
+// Standard maneuvers: `hamilcar run --maneuver NAME --vehicle FILE`, scenario files with a [maneuver], and `hamilcar
+// maneuvers`.
 #include "maneuver.hpp"
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "browser.hpp"
 #include "commands.hpp"
 #include "files.hpp"
 #include "hamilcar/base/text.hpp"
 #include "hamilcar/io/json_text.hpp"
-#include "hamilcar/io/result_file.hpp"
 #include "hamilcar/io/spelling.hpp"
-#include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/maneuver/outcome_file.hpp"
+#include "hamilcar/run/channels.hpp"
 #include "interrupt.hpp"
 #include "outcome_files.hpp"
-#include "page_run.hpp"
 #include "progress.hpp"
 
 namespace hamilcar::cli {
@@ -31,8 +26,6 @@ std::vector<std::string> maneuver_names() {
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 const Maneuver& require_maneuver(const std::string& name) {
     if (const Maneuver* maneuver = find_maneuver(name)) return *maneuver;
@@ -163,11 +156,13 @@ void print_maneuvers(const VehicleDescription& vehicle) {
 io::ExitCode drive_maneuver(const Maneuver& maneuver, const VehicleDescription& vehicle, const Settings& settings,
                             const ManeuverOptions& asked, const RunOptions& options, ManeuverRun run) {
     check_support(maneuver, vehicle);
+    as_typed([&] { select_channels(all_channels(vehicle), options.channels); });  // known before an hour of driving
     const std::string folder = options.output.empty() ? "out/" + maneuver.name : options.output;
     const io::FolderLock lock = take_folder(folder);
     const InterruptWatch watch;  // until all is written: half a replay is none
     Progress progress(maneuver.name);
     ManeuverOptions driven = asked;
+    driven.keep_runs = !options.no_recording, driven.channels = options.channels;
     driven.keep_going = [&](double share) {
         run.interrupted = run.interrupted || interrupted();
         return progress.show(share), !run.interrupted;
@@ -175,7 +170,7 @@ io::ExitCode drive_maneuver(const Maneuver& maneuver, const VehicleDescription& 
     Outcome outcome = maneuver.drive(vehicle, settings, driven);
     progress.clear();
     if (run.interrupted) outcome.notes.emplace_back("interrupted: this is of a part of the maneuver");
-    print_and_write(run, outcome, folder, options.json);
+    print_and_write(run, outcome, {folder, options.json, options.csv});
     if (run.interrupted) return io::ExitCode::interrupted;
     if (outcome.failed) {
         fmt::print(stderr, "hamilcar: {}: {}\n", maneuver.name, *outcome.failed);
@@ -191,7 +186,7 @@ io::ExitCode start(const Maneuver& maneuver, const std::string& vehicle_file, co
         throw io::Error(io::ExitCode::usage,
                         "--checkpoint and --resume are for scenarios; a maneuver is many short drives");
     }
-    const VehicleDescription vehicle = io::read_vehicle(vehicle_file);
+    const VehicleDescription vehicle = read_vehicle({vehicle_file, options.vehicle.set});
     Settings settings = complete_settings(maneuver, vehicle, settings_in_numbers(maneuver, vehicle, of_file));
     const Settings typed = as_typed([&] { return typed_settings(maneuver, vehicle, options.settings); });
     for (const auto& [name, value] : typed) settings[name] = value;
@@ -200,6 +195,7 @@ io::ExitCode start(const Maneuver& maneuver, const std::string& vehicle_file, co
                     .standard = maneuver.standard,
                     .vehicle = vehicle.name,
                     .vehicle_file = vehicle_file,
+                    .vehicle_set = options.vehicle.set,
                     .settings = {},
                     .step = asked.solver.step,
                     .integrator = asked.solver.integrator,
@@ -215,7 +211,7 @@ io::ExitCode start(const Maneuver& maneuver, const std::string& vehicle_file, co
 io::ExitCode run_maneuver(const RunOptions& options) {
     ManeuverOptions asked;
     if (options.step) asked.solver.step = *options.step;
-    const std::string vehicle = vehicle_or_shipped(options.vehicle);
+    const std::string vehicle = vehicle_or_shipped(options.vehicle.file);
     const Maneuver& maneuver = as_typed([&]() -> const Maneuver& { return require_maneuver(options.maneuver); });
     return start(maneuver, vehicle, {}, asked, options);
 }
@@ -223,7 +219,7 @@ io::ExitCode run_maneuver(const RunOptions& options) {
 io::ExitCode run_maneuver(const ScenarioDescription& scenario, const RunOptions& options) {
     ManeuverOptions asked{.solver = scenario.solver, .road = scenario.road};
     if (options.step) asked.solver.step = *options.step;
-    const std::string& vehicle = options.vehicle.empty() ? scenario.vehicle : options.vehicle;
+    const std::string& vehicle = options.vehicle.file.empty() ? scenario.vehicle : options.vehicle.file;
     return at_place(scenario, [&] {
         return start(require_maneuver(scenario.maneuver.name), vehicle, scenario.maneuver.settings, asked, options);
     });
@@ -240,19 +236,12 @@ void check_maneuver(const ScenarioDescription& scenario, const VehicleDescriptio
 namespace {
 
 struct ManeuversOptions {
-    std::string vehicle;
+    VehicleChoice vehicle;
     bool json = false;
 };
 
-struct CompareOptions {
-    std::vector<std::string> outcomes;
-    std::string output = "comparison.html";
-    long rows = 20000;
-    bool open = false;
-};
-
 io::ExitCode list_maneuvers(const ManeuversOptions& options) {
-    const VehicleDescription vehicle = io::read_vehicle(vehicle_or_shipped(options.vehicle));
+    const VehicleDescription vehicle = read_vehicle_or_shipped(options.vehicle);
     if (options.json) {
         print_maneuvers_as_json(vehicle);
     } else {
@@ -261,56 +250,14 @@ io::ExitCode list_maneuvers(const ManeuversOptions& options) {
     return io::ExitCode::ok;
 }
 
-io::ExitCode compare(const CompareOptions& options) {
-    if (options.outcomes.size() < 2) {
-        throw io::Error(io::ExitCode::usage,
-                        "compare: expected two outcomes or more, folders that 'hamilcar run --maneuver' "
-                        "wrote; 'hamilcar view' shows one");
-    }
-    check_output(options.output);
-    std::vector<std::pair<ManeuverRun, Outcome>> runs;
-    for (const std::string& given : options.outcomes) {
-        const fs::path path = fs::is_directory(given) ? fs::path(given) / "outcome.json" : fs::path(given);
-        if (!fs::exists(path)) {
-            throw io::Error(io::ExitCode::input_output,
-                            path.string() +
-                                ": not there; expected what 'hamilcar run --maneuver' wrote "
-                                "('hamilcar view' compares results of scenarios)");
-        }
-        auto run = read_outcome(path.string());
-        if (run.first.interrupted) {
-            fmt::print(stderr, "hamilcar: note: {} is of a maneuver that was interrupted\n", path.string());
-        }
-        if (!runs.empty() && run.first.maneuver != runs[0].first.maneuver) {
-            fmt::print(stderr, "hamilcar: note: different maneuvers: {} has {}, {} has {}\n", options.outcomes[0],
-                       runs[0].first.maneuver, given, run.first.maneuver);
-        }
-        const fs::path replay = path.parent_path() / "drive.nc";
-        if (fs::exists(replay)) run.second.runs.push_back(read_run(replay.string(), options.rows));
-        runs.push_back(std::move(run));
-    }
-    io::write_page(options.output, comparison_page(std::move(runs)));
-    fmt::print("{}\n", options.output);
-    if (options.open) open_in_browser(fs::absolute(options.output).string());
-    return io::ExitCode::ok;
-}
-
 }  // namespace
 
 void add_maneuvers(CommandList& list) {
     auto [command, o] =
         list.add<ManeuversOptions>("maneuvers", "list the standard maneuvers and their settings", list_maneuvers);
-    command.add("vehicle", o.vehicle, "vehicle file (TOML) whose default settings to show [the shipped 323i]");
+    command.add("vehicle", o.vehicle.file, "vehicle file (TOML) whose default settings to show [the shipped 323i]");
+    add_vehicle_set(command, o.vehicle);
     command.add_json(o.json);
-}
-
-void add_compare(CommandList& list) {
-    auto [command, o] =
-        list.add<CompareOptions>("compare", "put the outcomes of several maneuvers on one page", compare);
-    command.add("outcomes", o.outcomes, "folders that 'run --maneuver' wrote").required();
-    command.add("-o,--output", o.output, "the page");
-    command.add("--rows", o.rows, {100, 1e7}, "of each drive, at most");
-    command.add("--open", o.open, "open it in the browser");
 }
 
 }  // namespace hamilcar::cli

@@ -13,7 +13,6 @@
 #include "hamilcar/io/csv.hpp"
 #include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/page.hpp"
-#include "hamilcar/io/vehicle_file.hpp"
 
 namespace hamilcar::cli {
 
@@ -22,7 +21,8 @@ namespace {
 using units::degree;
 
 struct OperationOptions {
-    std::string vehicle, output;
+    VehicleChoice vehicle;
+    std::string output;
     double speed = 0, lateral_acceleration = 0;  // [m/s], [m/s^2]
     bool json = false;
 };
@@ -33,7 +33,7 @@ OperatingPoint find_point(const Linearizer& linearizer, const OperationOptions& 
     }
     const OperatingPoint at = linearizer.operating_point({options.speed, options.lateral_acceleration});
     if (at.found) return at;
-    throw io::Error(io::ExitCode::numerical, fmt::format("{}: {}", options.vehicle, at.problem));
+    throw io::Error(io::ExitCode::numerical, fmt::format("{}: {}", options.vehicle.file, at.problem));
 }
 
 std::string describe(const OperationOptions& options) {
@@ -201,7 +201,7 @@ void print_modes(const std::vector<Mode>& all) {
 }
 
 io::ExitCode equilibrium(const OperationOptions& options) {
-    const VehicleDescription vehicle = io::read_vehicle(options.vehicle);
+    const VehicleDescription vehicle = read_vehicle(options.vehicle);
     const Linearizer linearizer(vehicle);
     const OperatingPoint at = find_point(linearizer, options);
     const LinearModel model = linearizer.linearize(at);
@@ -214,7 +214,7 @@ io::ExitCode equilibrium(const OperationOptions& options) {
 }
 
 io::ExitCode modes(const OperationOptions& options) {
-    const VehicleDescription vehicle = io::read_vehicle(options.vehicle);
+    const VehicleDescription vehicle = read_vehicle(options.vehicle);
     const Linearizer linearizer(vehicle);
     const LinearModel model = linearizer.linearize(find_point(linearizer, options));
     const std::vector<Mode> all = hamilcar::modes(model, vehicle);
@@ -242,7 +242,8 @@ io::ExitCode modes(const OperationOptions& options) {
 }
 
 void add_operation(Command& command, OperationOptions& o) {
-    command.add("vehicle", o.vehicle, "vehicle file (TOML)").required();
+    command.add("vehicle", o.vehicle.file, "vehicle file (TOML)").required();
+    add_vehicle_set(command, o.vehicle);
     command.add("--speed", o.speed, {0, 100, "m/s"}, "forward speed, at rest if 0");
     command.add("--lateral-acceleration", o.lateral_acceleration, {-30, 30, "m/s^2"}, "to the left");
     command.add_json(o.json);

@@ -7,8 +7,14 @@
 
 namespace hamilcar::cli {
 
-// Prints the outcome, then writes it, then its replays and its page: what a full disk does not take is what matters less.
+struct OutcomePlace {
+    std::string folder;
+    bool json = false;  // printed, in the place of text
+    bool csv = false;   // recordings as tables, too
+};
+
+// Prints the outcome, then writes it, then its recordings and its page: what a full disk does not take is what matters less.
 // What was interrupted does not take the place of a whole drive's outcome.
-void print_and_write(ManeuverRun run, const Outcome& outcome, const std::string& folder, bool json);
+void print_and_write(ManeuverRun run, const Outcome& outcome, const OutcomePlace& place);
 
 }  // namespace hamilcar::cli

@@ -9,7 +9,6 @@
 #include "files.hpp"
 #include "hamilcar/bench/operations.hpp"
 #include "hamilcar/engine/rhs_program.hpp"
-#include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/program/c_text.hpp"
 #include "hamilcar/program/pass.hpp"
 
@@ -20,7 +19,8 @@ namespace {
 using program::Block;
 
 struct ProgramOptions {
-    std::string vehicle, c_file;
+    VehicleChoice vehicle;
+    std::string c_file;
     bool json = false;
 };
 
@@ -124,7 +124,7 @@ std::string explanation(const VehicleDescription& vehicle, const RhsTrace& trace
 
 io::ExitCode program(const ProgramOptions& options) {
     if (!options.c_file.empty()) check_output(options.c_file);
-    const VehicleDescription vehicle = io::read_vehicle(options.vehicle);
+    const VehicleDescription vehicle = read_vehicle(options.vehicle);
     const Model<double> model{
         .vehicle = Vehicle<double>(vehicle), .road = PlaneRoad<double>(0, 0, 1), .energy_balance = false};
     const auto start = std::chrono::steady_clock::now();
@@ -143,7 +143,8 @@ io::ExitCode program(const ProgramOptions& options) {
 void add_program(CommandList& list) {
     auto [command, o] =
         list.add<ProgramOptions>("program", "what a vehicle's step comes to once it is recorded and compiled", program);
-    command.add("vehicle", o.vehicle, "vehicle file (TOML)").required();
+    command.add("vehicle", o.vehicle.file, "vehicle file (TOML)").required();
+    add_vehicle_set(command, o.vehicle);
     command.add("--c", o.c_file, "file for the step as one C function");
     command.add_json(o.json);
 }

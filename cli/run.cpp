@@ -143,7 +143,8 @@ io::ExitCode run_scenario(const RunOptions& options, const ScenarioDescription& 
     const bool uneven = scenario.output.motion && scenario.road.is_uneven();
     if (uneven) files.announce_road();
     if (scenario.output.report) files.add(page);
-    const RunReport report = report_of(simulation, summary, files.paths());
+    RunReport report = report_of(simulation, summary, files.paths());
+    report.vehicle_set = options.vehicle.set;
     write_file(summary_file, io::json_text(json_of(report)) + "\n");
     const bool kept = keeper.finish(simulation, summary, path);
     const io::ExitCode outcome = print(options, report);
@@ -171,18 +172,24 @@ io::ExitCode run(const RunOptions& options) {
         scenario_file = io::read_toml(options.scenario);
         scenario = io::read_scenario(scenario_file);
     });
-    if (!options.vehicle.empty()) scenario.vehicle = options.vehicle;
+    if (!options.vehicle.file.empty()) scenario.vehicle = options.vehicle.file;
     if (!scenario.maneuver.name.empty()) return run_maneuver(scenario, options);
     if (!options.settings.empty()) {
         throw io::Error(io::ExitCode::usage,
                         "run: --set belongs to a maneuver; " + options.scenario + " asks for none");
+    }
+    if (!options.channels.empty() || options.csv || options.no_recording) {
+        throw io::Error(
+            io::ExitCode::usage,
+            "run: --channel, --csv and --no-recording belong to a maneuver; a scenario says what it records "
+            "in its [output]");
     }
     check_can_resume(options, scenario);
     if (options.step) scenario.solver.step = *options.step;
     io::Node vehicle_file;
     VehicleDescription described;
     io::expect_kind(scenario.vehicle, io::FileKind::vehicle, [&] {
-        vehicle_file = io::read_toml(scenario.vehicle);
+        vehicle_file = vehicle_document({scenario.vehicle, options.vehicle.set});
         described = io::read_vehicle(vehicle_file);
     });
     const VehicleDescription vehicle = as_driven(described, scenario);
@@ -203,8 +210,15 @@ void add_run(CommandList& list) {
     command.add("--maneuver", o.maneuver, "a standard maneuver instead ('hamilcar maneuvers')")
         .excludes(scenario)
         .suggest(maneuver_names());
-    command.add("--vehicle", o.vehicle, "vehicle file (TOML) [the scenario's; the shipped 323i]");
+    command.add("--vehicle", o.vehicle.file, "vehicle file (TOML) [the scenario's; the shipped 323i]");
+    add_vehicle_set(command, o.vehicle);
     command.add("--set", o.settings, "a setting of the maneuver, NAME=VALUE; may be repeated");
+    const Option channels =
+        command.add("--channel", o.channels, "to record of a maneuver, a name or a prefix with '*'; may be repeated");
+    const Option csv = command.add("--csv", o.csv, "a maneuver's recording as a table, too");
+    command.add("--no-recording", o.no_recording, "figures and diagrams of a maneuver alone")
+        .excludes(channels)
+        .excludes(csv);
     command.add("--step", o.step, {io::time_step.min, io::time_step.max, "s"},
                 "of the integration, instead of the scenario's");
     const Option checkpoint =

@@ -5,13 +5,17 @@
 #include <string>
 #include <vector>
 
+#include "files.hpp"
+
 namespace hamilcar::cli {
 
 struct RunOptions {
     std::string scenario, maneuver;             // one of them
-    std::string vehicle;                        // instead of the scenario's
+    VehicleChoice vehicle;                      // its file instead of the scenario's
     std::string output;                         // folder
     std::vector<std::string> settings;          // of the maneuver, "speed=80"
+    std::vector<std::string> channels;          // of a maneuver's recording
+    bool csv = false, no_recording = false;     // of a maneuver
     std::optional<double> step;                 // instead of the scenario's [s]
     std::string checkpoint, resume;             // files
     std::optional<double> checkpoint_interval;  // of simulated time [s]

@@ -67,6 +67,7 @@ nlohmann::json json_of(const RunReport& report) {
     return {
         {"scenario", report.scenario},
         {"vehicle", report.vehicle},
+        {"vehicle_set", report.vehicle_set},
         {"integrator", report.solver.integrator},
         {"step_s", report.solver.step},
         {"constraints", constraints_word(report)},
@@ -101,6 +102,7 @@ io::Table summary_table(const RunReport& report) {
         table.rows.push_back({name, number && std::isnan(*number) ? io::Cell() : value, unit});
     };
     add("scenario", report.scenario), add("vehicle", report.vehicle);
+    for (const std::string& assignment : report.vehicle_set) add("vehicle with", assignment);
     add("integrator", report.solver.integrator), add("constraints", std::string(constraints_word(report)));
     add("step", report.solver.step, "s"), add("simulated", report.run.duration, "s");
     add("steps", double(report.run.steps));
@@ -124,6 +126,7 @@ void print_summary(const RunReport& report) {
     fmt::print("{} with {}: {:.6g} s in {} steps of {:g} s ({}, {} constraints)\n", report.scenario, report.vehicle,
                report.run.duration, report.run.steps, report.solver.step, report.solver.integrator,
                constraints_word(report));
+    for (const std::string& assignment : report.vehicle_set) fmt::print("  vehicle with     {}\n", assignment);
     if (report.ended_by) fmt::print("  ended by         {}\n", *report.ended_by);
     fmt::print("  end state        x {:.3f}, y {:.3f}, z {:.4f} m\n", value("chassis.position.x"),
                value("chassis.position.y"), value("chassis.position.z", 4));

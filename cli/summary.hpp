@@ -19,6 +19,7 @@ struct RunReport {
     };
 
     std::string scenario, vehicle;
+    std::vector<std::string> vehicle_set{};  // keys of its file that had other values, "KEY=VALUE"
     SolverDescription solver;
     double stabilization_gain;  // [1/s]
     RunSummary run;

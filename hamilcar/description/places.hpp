@@ -12,7 +12,7 @@ namespace hamilcar {
 
 struct Place {
     std::shared_ptr<const std::string> file;
-    std::size_t line = 1, column = 1;
+    std::size_t line = 1, column = 1;  // line 0: typed, in no file
 };
 
 // Keys are dotted; an entry of a list goes by its name, or by its number from 0 on: "axle[front].spring", "road.wave[0]".
@@ -26,6 +26,7 @@ struct Places {
             const auto found = keys.find(key);
             if (found != keys.end()) {
                 const Place& place = found->second;
+                if (place.line == 0) return *place.file;
                 return *place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
             }
             const std::size_t end = key.find_last_of(".[");

@@ -24,6 +24,7 @@ constexpr std::size_t max_quote_length = 60;  // of a value in a message [charac
 constexpr std::size_t max_bases = 16;         // files, each the base of the one before
 
 std::string at(const SourceFile& file, TextPosition position) {
+    if (position.line == 0) return file.path + ": ";
     return file.path + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
 }
 
@@ -82,6 +83,13 @@ Node parse(const Reference& from, int generation) {
     } catch (const toml::parse_error& error) {
         fail_at(*file, position_of(error.source().begin), "not valid TOML: " + std::string(error.description()));
     }
+}
+
+// With all that is below it.
+void place_outside_files(Node& node) {
+    node.key_begin.line = node.begin.line = node.end.line = 0;
+    if (auto* table = std::get_if<TableValue>(&node.value)) std::ranges::for_each(table->entries, place_outside_files);
+    if (auto* list = std::get_if<ListValue>(&node.value)) std::ranges::for_each(list->items, place_outside_files);
 }
 
 // The `name` of an entry in a list of tables; null if it has none.
@@ -154,13 +162,21 @@ void add_places(const Node& node, const std::string& path, Places& to) {
     }
 }
 
+// In UTF-8.
+bool begins_character(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+}
+std::size_t character_count(std::string_view text) {
+    return static_cast<std::size_t>(std::ranges::count_if(text, begins_character));
+}
+
 // Where a position is in the text [byte].
 std::size_t offset_of(std::string_view text, TextPosition position) {
     std::size_t at = 0;
     for (std::size_t line = 1; line < position.line; ++line) at = text.find('\n', at) + 1;
     for (std::size_t column = 1; column < position.column && at < text.size(); ++column) {
         do ++at;
-        while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80);  // within a character
+        while (at < text.size() && !begins_character(text[at]));
     }
     return at;
 }
@@ -189,8 +205,7 @@ std::string Node::written() const {
         } else if (!quote.ends_with(' ')) {
             quote += ' ';
         }
-        const bool between_characters = (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-        if (quote.size() > max_quote_length && between_characters) return quote.substr(0, quote.size() - 1) + "...";
+        if (quote.size() > max_quote_length && begins_character(c)) return quote.substr(0, quote.size() - 1) + "...";
     }
     return quote;
 }
@@ -214,6 +229,26 @@ Node read_toml(const std::string& path) {
     Node merged = std::move(chain.back());
     for (chain.pop_back(); !chain.empty(); chain.pop_back()) merge(merged, std::move(chain.back()));
     return merged;
+}
+
+Node typed_value(const std::string& where, const std::string& text) {
+    // On one line, so that what is quoted in messages is found by its column alone.
+    const bool is_line = text.find_first_of("\r\n") == std::string::npos && !too_deep("value = " + text);
+    const auto file = std::make_shared<SourceFile>(SourceFile{where, "value = " + text, -1});
+    toml::table root;
+    try {
+        if (is_line) root = toml::parse(std::string_view(file->text));
+    } catch (const toml::parse_error&) {
+        root.clear();
+    }
+    if (!root.contains("value") || root.size() != 1) {
+        file->text = text;
+        const std::size_t end = 1 + character_count(text);
+        return {.value = text, .key = {}, .file = file, .key_begin = {0, 1}, .begin = {0, 1}, .end = {0, end}};
+    }
+    Node node = convert(*root.get("value"), file);
+    place_outside_files(node);
+    return node;
 }
 
 std::string item_path(const std::string& list, const Node& item, std::size_t number) {

@@ -18,11 +18,11 @@ namespace hamilcar::io {
 struct SourceFile {
     std::string path;
     std::string text;
-    int generation = 0;  // 0: the file asked for, 1: its base, 2: the base's base
+    int generation = 0;  // -1: typed over the file, 0: the file asked for, 1: its base, 2: the base's base
 };
 
 struct TextPosition {
-    std::size_t line = 1, column = 1;  // columns count characters, not bytes
+    std::size_t line = 1, column = 1;  // columns count characters, not bytes; line 0: typed, in no file
 };
 
 struct Node;
@@ -50,6 +50,9 @@ struct Node {
 
 // Throws Error: input_output if a file cannot be read, bad_file if it is no valid TOML or its bases form a circle.
 Node read_toml(const std::string& path);
+
+// What a person typed in a value's place, as TOML has it; what is no TOML is a text. `where` names the place in messages.
+Node typed_value(const std::string& where, const std::string& text);
 
 // Of all keys of a file and of what it starts from.
 std::shared_ptr<const Places> places_of(const Node& document);

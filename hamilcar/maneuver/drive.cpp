@@ -122,7 +122,7 @@ Drive drive_once(const VehicleDescription& vehicle, const ScenarioDescription& s
     Simulation simulation(vehicle, scenario);
     const bool replay = maneuver.keep_runs && options.replay;
     const std::vector<Channel> all = all_channels(simulation.vehicle());
-    std::vector<Channel> shown = replay ? select_channels(all, {}) : std::vector<Channel>();
+    std::vector<Channel> shown = replay ? select_channels(all, maneuver.channels) : std::vector<Channel>();
     if (replay) add_missing_motion(all, shown);
     std::vector<Channel> channels = select_channels(all, evaluated_channels(simulation.vehicle(), options));
     add_missing(shown, channels);

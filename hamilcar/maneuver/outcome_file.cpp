@@ -56,7 +56,7 @@ Json outcome_json(const ManeuverRun& run, const Outcome& outcome) {
     for (const io::Chart& chart : outcome.charts) charts.push_back(io::chart_json<Json>(chart, numbers));
     return {{"program", run.program},
             {"maneuver", {{"name", run.maneuver}, {"title", run.title}, {"standard", run.standard}}},
-            {"vehicle", {{"name", run.vehicle}, {"file", run.vehicle_file}}},
+            {"vehicle", {{"name", run.vehicle}, {"file", run.vehicle_file}, {"set", run.vehicle_set}}},
             {"settings", settings_json(run)},
             {"solver", {{"step_s", run.step}, {"integrator", run.integrator}}},
             {"passed", outcome.passed() && !run.interrupted},
@@ -79,6 +79,7 @@ std::pair<ManeuverRun, Outcome> read_outcome(const std::string& path) {
         const Json &maneuver = json.at("maneuver"), &vehicle = json.at("vehicle"), &solver = json.at("solver");
         run.maneuver = maneuver.at("name"), run.title = maneuver.at("title"), run.standard = maneuver.at("standard");
         run.vehicle = vehicle.at("name"), run.vehicle_file = vehicle.at("file");
+        run.vehicle_set = vehicle.value("set", run.vehicle_set);
         run.interrupted = json.value("interrupted", false);
         run.files = json.value("files", run.files);
         run.step = solver.at("step_s"), run.integrator = solver.at("integrator");

@@ -14,6 +14,7 @@ namespace hamilcar {
 struct ManeuverRun {
     std::string maneuver, title, standard;  // of the Maneuver
     std::string vehicle, vehicle_file;
+    std::vector<std::string> vehicle_set{};  // keys of the file that had other values, "KEY=VALUE"
     std::vector<std::pair<Setting, double>> settings;
     double step = 0;  // [s]
     std::string integrator;

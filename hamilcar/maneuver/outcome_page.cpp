@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include "hamilcar/io/merged_chart.hpp"
-#include "hamilcar/maneuver/outcome_file.hpp"
+#include "hamilcar/maneuver/comparison.hpp"
 #include "hamilcar/run/validity_report.hpp"
 
 namespace hamilcar {
 
 namespace {
 
-using Named = std::pair<ManeuverRun, Outcome>;
+using Named = NamedOutcome;
 
 io::Cell cell(double value) {
     return std::isfinite(value) ? io::Cell(value) : io::Cell();
@@ -30,6 +30,7 @@ io::Table inputs_table(const ManeuverRun& run) {
         table.rows.push_back({std::move(name), std::move(value), std::move(unit), std::move(meaning)});
     };
     add("vehicle", run.vehicle, "", run.vehicle_file);
+    for (const std::string& assignment : run.vehicle_set) add("vehicle with", assignment, "", "instead of its file");
     for (const auto& [setting, value] : run.settings) {
         const bool has_words = !setting.choices.empty();
         add(setting.name, has_words ? io::Cell(setting_text(setting, value)) : io::Cell(value), setting.unit,
@@ -49,58 +50,6 @@ io::Table energy_table(const EnergyBalance& energy) {
             {row("supplied by engine or wheel torque", energy.supplied), row("gained by the vehicle", energy.stored),
              row("dissipated, less what the steering put in", energy.dissipated),
              row("energy balance residual", energy.residual())}};
-}
-
-// A label that tells runs apart: their vehicles, or their settings where these are what differs.
-std::vector<std::string> labels_of(const std::vector<Named>& runs) {
-    const auto all_alike = [&](std::string ManeuverRun::*what) {
-        return std::ranges::all_of(runs, [&](const Named& r) { return r.first.*what == runs[0].first.*what; });
-    };
-    const bool one_kind = all_alike(&ManeuverRun::title), one_vehicle = all_alike(&ManeuverRun::vehicle);
-    std::vector<std::string> labels;
-    for (const auto& [run, outcome] : runs) {
-        labels.push_back(one_kind ? run.vehicle : one_vehicle ? run.title : run.title + ", " + run.vehicle);
-    }
-    const auto have_it = [&](const Setting& setting, double value) {
-        return std::ranges::all_of(runs, [&](const Named& run) {
-            return std::ranges::any_of(run.first.settings, [&](const auto& theirs) {
-                return theirs.first.name == setting.name && theirs.second == value;
-            });
-        });
-    };
-    std::vector<std::string> out = labels;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        if (std::ranges::count(labels, labels[i]) == 1) continue;
-        for (const auto& [setting, value] : runs[i].first.settings) {
-            if (!have_it(setting, value))
-                out[i] += fmt::format(", {} {} {}", setting.name, setting_text(setting, value), setting.unit);
-        }
-    }
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        if (std::ranges::count(out, out[i]) > 1) out[i] += fmt::format(" ({})", i + 1);
-    }
-    return out;
-}
-
-// Figures of all runs by name, in the order in which they first come.
-io::Table side_by_side(const std::vector<Named>& runs, const std::vector<std::string>& labels) {
-    io::Table table{"Characteristic values", {{"", ""}, {"unit", ""}}, {}};
-    std::vector<const Figure*> known;
-    for (const auto& [run, outcome] : runs) {
-        for (const Figure& f : outcome.figures) {
-            if (std::ranges::none_of(known, [&](const Figure* k) { return k->name == f.name; })) known.push_back(&f);
-        }
-    }
-    for (const std::string& label : labels) table.columns.emplace_back(label, "");
-    for (const Figure* figure : known) {
-        std::vector<io::Cell> row{figure->name, figure->unit};
-        for (const auto& [run, outcome] : runs) {
-            const auto own = std::ranges::find(outcome.figures, figure->name, &Figure::name);
-            row.push_back(own == outcome.figures.end() ? io::Cell() : cell(own->value));
-        }
-        table.rows.push_back(row);
-    }
-    return table;
 }
 
 // Diagrams of one title in one, in the order in which they first come.
@@ -165,7 +114,8 @@ io::Page outcome_page(const ManeuverRun& run, const Outcome& outcome) {
 }
 
 io::Page comparison_page(std::vector<Named> runs) {
-    const std::vector<std::string> labels = labels_of(runs);
+    const Comparison comparison = compare(runs);
+    const std::vector<std::string>& labels = comparison.labels;
     io::Page page;
     std::vector<io::Chart> charts = overlaid(runs, labels);
     for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -178,8 +128,9 @@ io::Page comparison_page(std::vector<Named> runs) {
             page.runs.push_back(std::move(replay));
         }
     }
-    add_figures(side_by_side(runs, labels), "No value: that drive did not show it, or its maneuver does not have it.",
+    add_figures(values_table(comparison), "No value: that drive did not show it, or its maneuver does not have it.",
                 page);
+    page.blocks.push_back(differences_table(comparison));
     for (io::Chart& chart : charts) page.blocks.push_back(std::move(chart));
     if (!page.runs.empty()) {
         page.blocks.push_back(io::Heading{"The drives"});

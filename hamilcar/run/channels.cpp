@@ -165,12 +165,11 @@ std::vector<Channel> select_channels(const std::vector<Channel>& all, const std:
         std::vector<std::string_view> known;
         for (const Channel& channel : all) known.push_back(channel.column.name);
         const auto nearest = io::nearest_word(name, known);
-        throw io::Error(
-            io::ExitCode::bad_file,
-            fmt::format("{}key 'output.channels': unknown channel \"{}\"{}; 'hamilcar check --json' lists all channels",
-                        at_key(places, "output.channels"), name,
-                        nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : ""),
-            "output.channels");
+        throw io::Error(io::ExitCode::bad_file,
+                        fmt::format("{}unknown channel \"{}\"{}; 'hamilcar channels' lists all",
+                                    places ? at_key(places, "output.channels") + "key 'output.channels': " : "", name,
+                                    nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : ""),
+                        "output.channels");
     }
     return chosen;
 }

@@ -10,6 +10,7 @@
 namespace hamilcar {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
@@ -28,6 +29,60 @@ TEST_F(Program, DrivesAManeuverAndWritesItsReport) {
     EXPECT_GT(facts["charts"].size(), 0u);
     EXPECT_THAT(contents(folder_ / "out/report.html"), HasSubstr("verdicts"));
     EXPECT_EQ(run("view out/drive.nc").code, 0);
+}
+
+// To the last bit what a file with that number gives, and the outcome says so.
+TEST_F(Program, DrivesAVehicleWithAnotherNumber) {
+    const std::string words = "run --maneuver step_steer --json --vehicle ";
+    const std::string other = changed("vehicles/bmw_323i.toml", "rate_N_per_m = 26200.0", "rate_N_per_m = 30e3");
+    const Outcome set = run(words + car + " --vehicle-set axle[front].spring.rate_N_per_m=30e3 -o set");
+    const Outcome by_file = run(words + other + " -o by_file"), before = run(words + car + " -o before");
+    ASSERT_EQ(set.code, 0) << set.err;
+    const auto facts = nlohmann::json::parse(set.out);
+    EXPECT_EQ(facts["figures"], nlohmann::json::parse(by_file.out)["figures"]);
+    EXPECT_NE(facts["figures"], nlohmann::json::parse(before.out)["figures"]);
+    EXPECT_EQ(facts["vehicle"]["set"], nlohmann::json({"axle[front].spring.rate_N_per_m=30e3"}));
+    ASSERT_EQ(run("compare before set -o both.html").code, 0);
+    EXPECT_THAT(contents(folder_ / "both.html"), HasSubstr("axle[front].spring.rate_N_per_m=30e3"));
+}
+
+// Every command that reads a vehicle takes other numbers for it, before and after the file, and says which of them is wrong.
+TEST_F(Program, TakesOtherNumbersWhereverAVehicleIsRead) {
+    const std::string scenario = scenario_for(car);
+    for (const std::string& words :
+         {"check " + car, "check " + scenario, "kinematics " + car, "equilibrium " + car, "modes " + car,
+          "program " + car, "channels " + car, "maneuvers " + car, "bench --seconds 0.1 " + car,
+          "drive --no-browser " + car, "run " + scenario, "run --maneuver step_steer --vehicle " + car}) {
+        const Outcome r = run(words + " --vehicle-set chassis.mass_kg=-1");
+        EXPECT_EQ(r.code, 3) << words;
+        EXPECT_THAT(r.err, HasSubstr("--vehicle-set: key 'chassis.mass_kg' = -1: expected a positive number [kg]"))
+            << words;
+    }
+    EXPECT_EQ(run("kinematics --vehicle-set axle[frnt].spring.rate_N_per_m=3 " + car).code, 2);
+    const Outcome r = run("check --vehicle-set chassis.mass_kg=1500 --vehicle-set 'name=The heavy one' " + car);
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_THAT(r.out, HasSubstr("The heavy one"));
+}
+
+TEST_F(Program, RecordsWhatIsAskedForOfAManeuver) {
+    const std::string words = "run --maneuver step_steer -o out --vehicle " + car;
+    ASSERT_EQ(run(words + " --csv --channel chassis.velocity.* --channel energy.kinetic --set speed=70").code, 0);
+    const std::string heading = contents(folder_ / "out/drive.csv").substr(0, 400);
+    EXPECT_THAT(heading, HasSubstr("chassis.velocity.x [m/s]"));
+    EXPECT_THAT(heading, HasSubstr("energy.kinetic [J]"));
+    EXPECT_THAT(contents(folder_ / "out/drive.nc"),
+                AllOf(HasSubstr("setting_speed_km_per_h"), HasSubstr(car), HasSubstr("energy.kinetic")));
+
+    ASSERT_EQ(run(words + " --no-recording").code, 0);
+    EXPECT_FALSE(fs::exists(folder_ / "out/drive.csv"));  // of the drive before
+    EXPECT_FALSE(fs::exists(folder_ / "out/drive.nc"));
+    EXPECT_LT(fs::file_size(folder_ / "out/report.html"), 4'000'000u);
+
+    const Outcome typo = run(words + " --channel energy.kinetik");
+    EXPECT_EQ(typo.code, 2);
+    EXPECT_THAT(typo.err, HasSubstr("unknown channel \"energy.kinetik\"; did you mean \"energy.kinetic\"?"));
+    EXPECT_EQ(run(words + " --csv --no-recording").code, 2);
+    EXPECT_EQ(run("run " + scenario_for(car) + " --csv").code, 2);
 }
 
 TEST_F(Program, TellsAFailedVerdictByItsExitCode) {
@@ -158,11 +213,19 @@ TEST_F(Program, ComparesOutcomes) {
     ASSERT_EQ(r.code, 0) << r.err;
     EXPECT_THAT(contents(folder_ / "both.html"), HasSubstr("speed 80 km/h"));
     EXPECT_EQ(r.err, "");
+    EXPECT_THAT(r.out, AllOf(HasSubstr("2 - 1"), HasSubstr("wrote both.html\n")));
     std::ofstream(folder_ / "keep.json") << "{}";
     EXPECT_EQ(run("compare a b -o keep.json").code, 2);
+    EXPECT_EQ(run("compare a b --csv keep.json").code, 2);
     EXPECT_EQ(contents(folder_ / "keep.json"), "{}");
     ASSERT_EQ(run("run --maneuver step_steer --vehicle " + car + " -o c").code, 0);
     EXPECT_THAT(run("compare a b c -o both.html").err, HasSubstr("different maneuvers: a has weave, c has step_steer"));
+    const Outcome facts = run("compare a b --json --csv table.csv -o both.html");
+    ASSERT_EQ(facts.code, 0) << facts.err;
+    const auto figure = nlohmann::json::parse(facts.out)["figures"][0];
+    const auto own = nlohmann::json::parse(contents(folder_ / "b/outcome.json"))["figures"][0];
+    EXPECT_EQ(figure["values"][1], own["value"]);
+    EXPECT_THAT(contents(folder_ / "table.csv"), HasSubstr("figure," + own["name"].get<std::string>() + ","));
     EXPECT_EQ(run("compare a").code, 2);
     EXPECT_EQ(run("compare a nowhere").code, 5);
     std::ofstream(folder_ / "no.json") << "{}";
