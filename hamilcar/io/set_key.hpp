@@ -9,7 +9,7 @@ namespace hamilcar::io {
 
 // "KEY=VALUE" put into `document` as if it stood in its file. A key goes as messages tell it, "axle[front].spring.rate_N_per_m",
 // or with dots alone, "axle.front.spring.rate_N_per_m"; items of lists go by their names or by their numbers from 0 on. What is
-// not there is added, and whoever reads the document says whether it may be there. `option` names the place in messages. Throws
+// not there is added; the reader of the document says whether it may be there. `option` names the place in messages. Throws
 // Error(usage) for what is no assignment or names an item that is not there.
 void set_key(Node& document, const std::string& assignment, const std::string& option);
 
