@@ -50,9 +50,9 @@ TEST(Comparison, IsAnObjectForPrograms) {
     const auto json = comparison_json(compare(three), three);
     EXPECT_EQ(json["runs"][1]["label"], "Van");
     EXPECT_EQ(json["runs"][1]["passed"], false);
-    EXPECT_EQ(json["figures"][0]["differences_from_first"], nlohmann::json({0, 1, -1}));
+    EXPECT_EQ(json["figures"][0]["differences_from_first"], nlohmann::ordered_json({0, 1, -1}));
     EXPECT_TRUE(json["figures"][1]["values"][2].is_null());
-    EXPECT_EQ(json["verdicts"][0]["passed"], nlohmann::json({true, false, nullptr}));
+    EXPECT_EQ(json["verdicts"][0]["passed"], nlohmann::ordered_json({true, false, nullptr}));
 }
 
 TEST(Comparison, TellsDifferencesInPercentOfTheFirst) {
