@@ -104,7 +104,7 @@ TEST_F(Program, DrivesAManeuverOfAScenarioFile) {
     ASSERT_EQ(run("check " + scenario).code, 0);
     for (const auto& [typed, speed] :
          std::map<std::string, double>{{"", 90}, {" --set speed=85", 85}, {" --set speed_km_per_h=85", 85}}) {
-        const Outcome r = run("run " + scenario + " --json" + typed);
+        const Outcome r = run(std::string("run ").append(scenario).append(" --json").append(typed));
         ASSERT_EQ(r.code, 0) << r.err;
         EXPECT_EQ(nlohmann::json::parse(r.out)["settings"][0]["value"], speed) << typed;
     }
