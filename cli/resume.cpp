@@ -65,12 +65,6 @@ void leave_out(io::Node* table, std::initializer_list<std::string_view> keys) {
     std::erase_if(entries->entries, [&](const io::Node& entry) { return std::ranges::count(keys, entry.key) > 0; });
 }
 
-std::uint64_t sum_of(const io::Node& document) {
-    io::Checksum sum;
-    add_node(sum, document);
-    return sum.value();
-}
-
 // Why the results in the folder are not those that the checkpoint was written with; empty if they are.
 std::string mismatch(const FirstPart& part, const Recorded& recorded, long every, double step) {
     const std::vector<io::Column>& columns = part.rows.columns;
@@ -95,6 +89,12 @@ std::string mismatch(const FirstPart& part, const Recorded& recorded, long every
 }
 
 }  // namespace
+
+std::uint64_t sum_of(const io::Node& document) {
+    io::Checksum sum;
+    add_node(sum, document);
+    return sum.value();
+}
 
 Origin origin_of(io::Node scenario, const io::Node& vehicle) {
     leave_out(&scenario, {"duration_s", "vehicle", "output"});

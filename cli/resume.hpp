@@ -11,6 +11,8 @@
 
 namespace hamilcar::cli {
 
+// Of what a file says, merged with its bases, and of the files that it names.
+std::uint64_t sum_of(const io::Node& document);
 // Checksums of what the files say, merged with their bases, and of the files that they name. Left out is what may
 // change where a run goes on (its duration, what is recorded) and what a checkpoint knows itself (method, step).
 Origin origin_of(io::Node scenario, const io::Node& vehicle);

@@ -23,7 +23,7 @@ LAYERS = [
     ["io"],
     ["run"],
     ["batch", "maneuver"],
-    ["live"],
+    ["live", "study"],
     ["bench"],
 ]
 LEVEL = {room: level for level, rooms in enumerate(LAYERS) for room in rooms}
