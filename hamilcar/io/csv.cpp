@@ -1,7 +1,8 @@
 #include "hamilcar/io/csv.hpp"
 
 // Comma-separated rows of shortest round-trip numbers. Rows gather in a buffer; if the disk takes only part of it, the
-// file is cut back to its last whole row, so what can be read of it is right.
+// file is cut back to its last whole row, so what can be read of it is right. A kill within a write leaves what the system
+// had taken, whole pages: no program can cut back after its own end.
 #include <cerrno>
 #include <cmath>
 #include <cstring>
