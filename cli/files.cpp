@@ -27,7 +27,7 @@ void add_vehicle_set(Command& command, VehicleChoice& choice) {
 
 io::Node vehicle_document(const VehicleChoice& choice) {
     io::Node document = io::read_toml(choice.file);
-    for (const std::string& assignment : choice.set) io::set_key(document, assignment, "--vehicle-set");
+    for (const std::string& assignment : choice.set) io::set_key(document, assignment, choice.set_by);
     return document;
 }
 
@@ -41,7 +41,7 @@ VehicleDescription read_vehicle(const VehicleChoice& choice) {
 }
 
 VehicleDescription read_vehicle_or_shipped(const VehicleChoice& choice) {
-    return read_vehicle({vehicle_or_shipped(choice.file), choice.set});
+    return read_vehicle({vehicle_or_shipped(choice.file), choice.set, choice.set_by});
 }
 
 std::string vehicle_or_shipped(const std::string& file) {

@@ -21,6 +21,7 @@ std::string vehicle_or_shipped(const std::string& file);
 struct VehicleChoice {
     std::string file;
     std::vector<std::string> set;  // "KEY=VALUE", keys of the file with other values
+    std::string set_by = "--vehicle-set";  // for messages; a file's path: paths among the values start from its folder
 };
 // --vehicle-set, which every command has that reads a vehicle.
 void add_vehicle_set(Command& command, VehicleChoice& choice);

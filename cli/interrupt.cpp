@@ -38,11 +38,11 @@ void end_on_interrupt() {
 }
 
 InterruptWatch::InterruptWatch() {
-    interrupt_watched = 1;
+    interrupt_watched = interrupt_watched + 1;
 }
 
 InterruptWatch::~InterruptWatch() {
-    interrupt_watched = 0;
+    interrupt_watched = interrupt_watched - 1;
 }
 
 bool interrupted() {

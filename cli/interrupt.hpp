@@ -11,7 +11,7 @@ bool take_standard_streams();
 void end_on_interrupt();
 
 // While one lives they only set a flag instead: for a command that looks at `interrupted` several times a second, and
-// keeps what it has so far. A second one ends the program all the same.
+// keeps what it has so far. They may be nested. A second one ends the program all the same.
 class InterruptWatch {
 public:
     InterruptWatch();

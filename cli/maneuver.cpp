@@ -170,7 +170,7 @@ io::ExitCode drive_maneuver(const Maneuver& maneuver, const VehicleDescription& 
     Outcome outcome = maneuver.drive(vehicle, settings, driven);
     progress.clear();
     if (run.interrupted) outcome.notes.emplace_back("interrupted: this is of a part of the maneuver");
-    print_and_write(run, outcome, {folder, options.json, options.csv});
+    print_and_write(run, outcome, {folder, options.json, options.csv, options.silent});
     if (run.interrupted) return io::ExitCode::interrupted;
     if (outcome.failed) {
         fmt::print(stderr, "hamilcar: {}: {}\n", maneuver.name, *outcome.failed);
@@ -186,7 +186,7 @@ io::ExitCode start(const Maneuver& maneuver, const std::string& vehicle_file, co
         throw io::Error(io::ExitCode::usage,
                         "--checkpoint and --resume are for scenarios; a maneuver is many short drives");
     }
-    const VehicleDescription vehicle = read_vehicle({vehicle_file, options.vehicle.set});
+    const VehicleDescription vehicle = read_vehicle({vehicle_file, options.vehicle.set, options.vehicle.set_by});
     Settings settings = complete_settings(maneuver, vehicle, settings_in_numbers(maneuver, vehicle, of_file));
     const Settings typed = as_typed([&] { return typed_settings(maneuver, vehicle, options.settings); });
     for (const auto& [name, value] : typed) settings[name] = value;

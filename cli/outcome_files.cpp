@@ -120,7 +120,7 @@ void print_and_write(ManeuverRun run, const Outcome& outcome, const OutcomePlace
         if (keeps_earlier) facts["files"] = nlohmann::ordered_json::array();
         facts.erase("charts");
         fmt::print("{}\n", io::json_text(facts));
-    } else {
+    } else if (!place.silent) {
         print_outcome(run, outcome);
     }
     if (run.interrupted) {
@@ -131,7 +131,7 @@ void print_and_write(ManeuverRun run, const Outcome& outcome, const OutcomePlace
     write_file(files.front(), text);  // whole or not at all: on a full disk that of the earlier drive stays
     if (earlier) remove_pictures(files.front(), *earlier);
     const auto wrote = [&](const std::string& file) {
-        if (!place.json) fmt::print("  wrote {}\n", file);
+        if (!place.json && !place.silent) fmt::print("  wrote {}\n", file);
     };
     wrote(files.front());
     const std::size_t files_each = place.csv ? 2 : 1;

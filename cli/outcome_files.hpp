@@ -11,6 +11,7 @@ struct OutcomePlace {
     std::string folder;
     bool json = false;  // printed, in the place of text
     bool csv = false;   // recordings as tables, too
+    bool silent = false;
 };
 
 // Prints the outcome, then writes it, then its recordings and its page: what a full disk does not take is what matters less.

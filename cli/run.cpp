@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "files.hpp"
+#include "hamilcar/base/assert.hpp"
 #include "hamilcar/io/file_kind.hpp"
 #include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/scenario_file.hpp"
@@ -41,7 +42,7 @@ void write_page(const std::string& path, io::PageRun run, const RunReport& repor
 io::ExitCode print(const RunOptions& options, const RunReport& report) {
     if (options.json) {
         fmt::print("{}\n", io::json_text(json_of(report)));
-    } else {
+    } else if (!options.silent) {
         print_summary(report);
     }
     const RunSummary& summary = report.run;
@@ -122,8 +123,8 @@ RunSummary record_run(const RunOptions& options, const FirstPart& before, const 
     return summary;
 }
 
-io::ExitCode run_scenario(const RunOptions& options, const ScenarioDescription& scenario, const Origin& origin,
-                          const Recorded& recorded, Simulation& simulation) {
+io::ExitCode simulate(const RunOptions& options, const ScenarioDescription& scenario, const Origin& origin,
+                      const Recorded& recorded, Simulation& simulation) {
     const std::string folder = output_folder(options);
     const io::FolderLock lock = take_folder(folder);
     const std::string page = folder + "/report.html", summary_file = folder + "/summary.json";
@@ -161,17 +162,8 @@ io::ExitCode run_scenario(const RunOptions& options, const ScenarioDescription& 
     return kept ? outcome : io::ExitCode::input_output;
 }
 
-io::ExitCode run(const RunOptions& options) {
-    if (!options.maneuver.empty()) return run_maneuver(options);
-    if (options.scenario.empty()) {
-        throw io::Error(io::ExitCode::usage, "run: expected a scenario file, or --maneuver NAME");
-    }
-    io::Node scenario_file;
-    ScenarioDescription scenario;
-    io::expect_kind(options.scenario, io::FileKind::scenario, [&] {
-        scenario_file = io::read_toml(options.scenario);
-        scenario = io::read_scenario(scenario_file);
-    });
+// With the file that the scenario was read from, which a checkpoint tells apart from others.
+io::ExitCode run_scenario(const RunOptions& options, ScenarioDescription scenario, io::Node scenario_file) {
     if (!options.vehicle.file.empty()) scenario.vehicle = options.vehicle.file;
     if (!scenario.maneuver.name.empty()) return run_maneuver(scenario, options);
     if (!options.settings.empty()) {
@@ -189,7 +181,7 @@ io::ExitCode run(const RunOptions& options) {
     io::Node vehicle_file;
     VehicleDescription described;
     io::expect_kind(scenario.vehicle, io::FileKind::vehicle, [&] {
-        vehicle_file = vehicle_document({scenario.vehicle, options.vehicle.set});
+        vehicle_file = vehicle_document({scenario.vehicle, options.vehicle.set, options.vehicle.set_by});
         described = io::read_vehicle(vehicle_file);
     });
     const VehicleDescription vehicle = as_driven(described, scenario);
@@ -197,10 +189,29 @@ io::ExitCode run(const RunOptions& options) {
     Simulation simulation(vehicle, scenario);
     const bool may_resume = !options.checkpoint.empty() || !options.resume.empty();
     const Origin origin = may_resume ? origin_of(std::move(scenario_file), vehicle_file) : Origin{};
-    return run_scenario(options, scenario, origin, recorded, simulation);
+    return simulate(options, scenario, origin, recorded, simulation);
+}
+
+io::ExitCode run(const RunOptions& options) {
+    if (!options.maneuver.empty()) return run_maneuver(options);
+    if (options.scenario.empty()) {
+        throw io::Error(io::ExitCode::usage, "run: expected a scenario file, or --maneuver NAME");
+    }
+    io::Node scenario_file;
+    ScenarioDescription scenario;
+    io::expect_kind(options.scenario, io::FileKind::scenario, [&] {
+        scenario_file = io::read_toml(options.scenario);
+        scenario = io::read_scenario(scenario_file);
+    });
+    return run_scenario(options, std::move(scenario), std::move(scenario_file));
 }
 
 }  // namespace
+
+io::ExitCode run_scenario(const RunOptions& options, const ScenarioDescription& scenario) {
+    HAMILCAR_ASSERT(options.checkpoint.empty() && options.resume.empty());
+    return run_scenario(options, scenario, io::Node());
+}
 
 void add_run(CommandList& list) {
     auto [command, o] =

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "files.hpp"
+#include "hamilcar/description/scenario.hpp"
+#include "hamilcar/io/error.hpp"
 
 namespace hamilcar::cli {
 
@@ -20,6 +22,10 @@ struct RunOptions {
     std::string checkpoint, resume;             // files
     std::optional<double> checkpoint_interval;  // of simulated time [s]
     bool json = false;
+    bool silent = false;  // prints nothing but what goes wrong
 };
+
+// As the file of the options says, which has been read and may have been changed since.
+io::ExitCode run_scenario(const RunOptions& options, const ScenarioDescription& scenario);
 
 }  // namespace hamilcar::cli

@@ -20,6 +20,7 @@
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "resume.hpp"
+#include "study_reports.hpp"
 
 namespace hamilcar::cli {
 
@@ -29,6 +30,7 @@ namespace fs = std::filesystem;
 
 struct StudyOptions {
     std::string file, output;
+    std::vector<std::string> reports;
     long jobs = 0;  // as many as there are cores
     bool json = false, again = false, open = false;
 };
@@ -133,7 +135,7 @@ void print_study(const StudyDescription& study, const StudyTable& table) {
     std::size_t failures = 0;
     for (const auto& runs : table.failed)
         failures += static_cast<std::size_t>(std::ranges::count_if(runs, [](const auto& f) { return !f.empty(); }));
-    if (failures > 0) fmt::print("  {} runs failed: the table says why\n", failures);
+    if (failures > 0) fmt::print("  {} failed: the table says why\n", failures == 1 ? "1 run" : fmt::format("{} runs", failures));
     if (const auto best = table.best()) {
         fmt::print("  best: point {}", *best + 1);
         for (std::size_t k = 0; k < table.parameters.size(); ++k) {
@@ -166,17 +168,24 @@ io::ExitCode run_study(const StudyOptions& options) {
     if (options.again) fs::remove(record_file);
     StudyResults results(points.size(), std::vector<std::optional<RunResult>>(study.runs.size()));
     StudyRecord record(record_file, sum_of_study(study), results);
-    if (record.found() > 0) {
-        fmt::print(stderr, "hamilcar: {} of {} runs were there already\n", record.found(),
+    const std::size_t done_before = record.found();
+    if (done_before > 0) {
+        fmt::print(stderr, "hamilcar: {} of {} runs were there already\n", done_before,
                    points.size() * study.runs.size());
     }
     const bool whole = evaluate_all(study, points, options.jobs, record, results);
-    const StudyTable table = study_table(study, points, results);
+    StudyTable table = study_table(study, points, results);
     if (!whole) {
         fmt::print(stderr, "hamilcar: interrupted; the same command goes on where it was\n");
         return io::ExitCode::interrupted;
     }
     check_figures(study, table);
+    if (done_before == 0) remove_reports(table, folder);
+    for (const std::size_t point : points_called(options.reports, table)) {
+        write_reports(study, table, point, folder);
+        if (interrupted()) break;
+    }
+    table.reports = reports_in(folder, table);
     const nlohmann::ordered_json facts = json_of(table);
     if (options.json) {
         fmt::print("{}\n", io::json_text(facts));
@@ -203,6 +212,8 @@ void add_study(CommandList& list) {
     command.add("-o,--output", o.output, "folder for the results [out/NAME]; what is there is gone on with");
     command.add("--jobs", o.jobs, {0, 1024}, "runs at a time, as many as there are cores if 0");
     command.add("--again", o.again, "do all of it anew");
+    command.add("--report", o.reports,
+                "a point's number, 'best' or 'all', whose runs get reports, linked from the page; may be repeated");
     command.add("--open", o.open, "open the page in the browser");
     command.add_json(o.json);
 }

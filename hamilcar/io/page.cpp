@@ -57,6 +57,7 @@ private:
 json to_json(const Cell& cell) {
     if (const auto* text = std::get_if<std::string>(&cell)) return *text;
     if (const auto* number = std::get_if<double>(&cell); number && std::isfinite(*number)) return *number;
+    if (const auto* file = std::get_if<FileCell>(&cell)) return {{"text", file->text}, {"file", file->file}};
     return nullptr;
 }
 

@@ -44,7 +44,13 @@ struct Chart {
     std::vector<Line> lines;
 };
 
-using Cell = std::variant<std::monostate, double, std::string>;  // monostate: does not exist
+struct FileCell {  // a text that opens a file
+    std::string text;
+    std::string file;  // by its path from the page's folder
+    bool operator==(const FileCell&) const = default;
+};
+
+using Cell = std::variant<std::monostate, double, std::string, FileCell>;  // monostate: does not exist
 
 struct Table {
     std::string title;

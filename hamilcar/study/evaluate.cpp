@@ -37,25 +37,6 @@ VehicleDescription vehicle_of(const StudyDescription& study, const StudyPoint& p
     return io::read_vehicle(document);
 }
 
-ScenarioDescription scenario_of(const StudyDescription& study, const StudyPoint& point, const StudyRun& run) {
-    io::Node document;
-    if (run.scenario.empty()) {
-        document = io::typed_value(study.file, "{}");
-        io::set_key(document, "name=\"" + run.name + "\"", study.file);
-        io::set_key(document, "maneuver.name=\"" + run.maneuver + "\"", study.file);
-        io::set_key(document, "vehicle=\"of the study\"", study.file);
-    } else {
-        document = io::read_toml(run.scenario);
-    }
-    for (const std::string& assignment : run.set) io::set_key(document, assignment, study.file);
-    for (const std::string& assignment : assignments(study, point, run.name)) {
-        io::set_key(document, assignment, study.file);
-    }
-    ScenarioDescription scenario = io::read_scenario(document);
-    scenario.vehicle = study.vehicle;
-    return scenario;
-}
-
 const Maneuver& maneuver_of(const ScenarioDescription& scenario) {
     if (const Maneuver* maneuver = find_maneuver(scenario.maneuver.name)) return *maneuver;
     throw io::Error(io::ExitCode::bad_file,
@@ -171,6 +152,25 @@ std::optional<RunResult> run_point(const StudyDescription& study, const StudyPoi
 }
 
 }  // namespace
+
+ScenarioDescription scenario_of(const StudyDescription& study, const StudyPoint& point, const StudyRun& run) {
+    io::Node document;
+    if (run.scenario.empty()) {
+        document = io::typed_value(study.file, "{}");
+        io::set_key(document, "name=\"" + run.name + "\"", study.file);
+        io::set_key(document, "maneuver.name=\"" + run.maneuver + "\"", study.file);
+        io::set_key(document, "vehicle=\"of the study\"", study.file);
+    } else {
+        document = io::read_toml(run.scenario);
+    }
+    for (const std::string& assignment : run.set) io::set_key(document, assignment, study.file);
+    for (const std::string& assignment : assignments(study, point, run.name)) {
+        io::set_key(document, assignment, study.file);
+    }
+    ScenarioDescription scenario = io::read_scenario(document);
+    scenario.vehicle = study.vehicle;
+    return scenario;
+}
 
 std::vector<std::string> vehicle_set(const StudyDescription& study, const StudyPoint& point) {
     return assignments(study, point, "vehicle");

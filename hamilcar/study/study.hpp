@@ -73,6 +73,8 @@ std::optional<RunResult> evaluate(const StudyDescription& study, const StudyPoin
                                   const std::function<bool()>& keep_going);
 // "KEY=VALUE" that a point sets of the vehicle.
 std::vector<std::string> vehicle_set(const StudyDescription& study, const StudyPoint& point);
+// What a run drives with a point, the study's vehicle named. Throws io::Error.
+ScenarioDescription scenario_of(const StudyDescription& study, const StudyPoint& point, const StudyRun& run);
 // Reads what every run of a point needs. Throws io::Error for keys, settings and figures that are none.
 void check_point(const StudyDescription& study, const StudyPoint& point);
 

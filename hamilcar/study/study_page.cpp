@@ -17,6 +17,11 @@ io::Cell cell(double value) {
     return std::isfinite(value) ? io::Cell(value) : io::Cell();
 }
 
+io::Cell cell(const std::string& word, const std::string& report) {
+    if (!report.empty()) return io::FileCell{word.empty() ? "report" : word, report};
+    return word.empty() ? io::Cell() : io::Cell(word);
+}
+
 std::string label_of(const StudyColumn& column) {
     return column.name + " [" + column.unit + "]";
 }
@@ -135,9 +140,11 @@ void add_points(const StudyTable& table, io::Page& page) {
         for (std::size_t k = 0; k < table.runs.size(); ++k) {
             const auto& passed = table.passed[i][k];
             const std::string& failed = table.failed[i][k];
-            row.push_back(!failed.empty() ? io::Cell("failed: " + failed)
-                          : passed        ? io::Cell(std::string(*passed ? "passed" : "not passed"))
-                                          : io::Cell());
+            const std::string word = !failed.empty() ? "failed: " + failed
+                                     : !passed       ? ""
+                                     : *passed       ? "passed"
+                                                     : "not passed";
+            row.push_back(cell(word, table.reports.empty() ? "" : table.reports[i][k]));
         }
         row.push_back(cell(table.scores[i]));
         all.rows.push_back(std::move(row));

@@ -26,6 +26,7 @@ struct StudyTable {
     std::vector<std::string> runs;
     std::vector<std::vector<std::optional<bool>>> passed;  // by point and run
     std::vector<std::vector<std::string>> failed;          // by point and run; empty: has not
+    std::vector<std::vector<std::string>> reports = {};    // by point and run: a file from the page's folder, or empty
     std::vector<double> scores;  // weighted distance from the best of every goal, 0 to 1; NaN without goals or figures
     std::optional<std::size_t> best() const;
 };

@@ -1,4 +1,5 @@
 // `hamilcar study` as a person meets it.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -10,6 +11,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
@@ -45,8 +47,9 @@ TEST_F(StudyCommand, GivesWhatSingleRunsGive) {
     ASSERT_EQ(all["points"].size(), 4u);
     for (std::size_t i = 0; i < 4; ++i) {
         const Outcome single =
-            run("run --maneuver step_steer --json --no-recording -o single --vehicle " + car + " --vehicle-set " + bar +
-                (i < 2 ? "=0" : "=12000") + " --set speed=" + (i % 2 == 0 ? "70" : "90"));
+            run(fmt::format("run --maneuver step_steer --json --no-recording -o single --vehicle {} "
+                            "--vehicle-set {}={} --set speed={}",
+                            car, bar, i < 2 ? 0 : 12000, i % 2 == 0 ? 70 : 90));
         ASSERT_EQ(single.code, 0) << single.err;
         for (const Json& f : Json::parse(single.out)["figures"]) {
             EXPECT_EQ(figure(all, i, "step: " + f["name"].get<std::string>()), f["value"]) << i << " " << f["name"];
@@ -57,6 +60,37 @@ TEST_F(StudyCommand, GivesWhatSingleRunsGive) {
     EXPECT_THAT(contents(folder_ / "out/study.html"), HasSubstr("Main effects"));
     EXPECT_THAT(contents(folder_ / "out/study.csv"), HasSubstr("point,bar,speed,step: "));
     EXPECT_TRUE(fs::exists(folder_ / "out/study.nc"));
+}
+
+// The runs of a point with their reports, which are theirs alone: the same figures.
+TEST_F(StudyCommand, OpensTheRunsOfAPoint) {
+    std::ofstream(folder_ / "drive.toml") << "name = \"drive\"\nvehicle = \"none.toml\"\nduration_s = 0.1\n";
+    const std::string file = study("[[run]]\nname = \"drive\"\nscenario = \"drive.toml\"\n"
+                                   "[[goal]]\nfigure = \"step: steady roll angle\"\nwant = \"min\"\n");
+    const Outcome r = run("study " + file + " --json -o out --report 2 --report best");
+    ASSERT_EQ(r.code, 0) << r.err;
+    const Json all = Json::parse(r.out);
+    const std::string best = "out/point_" + all["best"].dump();
+    ASSERT_NE(best, "out/point_2");
+    const Json outcome = Json::parse(contents(folder_ / best / "step/outcome.json"));
+    for (const Json& f : outcome["figures"]) {
+        EXPECT_EQ(figure(all, all["best"].get<std::size_t>() - 1, "step: " + f["name"].get<std::string>()), f["value"]);
+    }
+    EXPECT_EQ(outcome["vehicle"]["set"], Json::array({bar + "=12000"}));
+    const std::string page = contents(folder_ / "out/study.html");
+    for (const std::string run : {"/step", "/drive"}) {
+        EXPECT_TRUE(fs::exists(folder_ / ("out/point_2" + run) / "report.html"));
+        EXPECT_THAT(page, HasSubstr("\"file\":\"point_2" + run + "/report.html\""));
+        EXPECT_FALSE(fs::exists(folder_ / ("out/point_1" + run)));
+    }
+    EXPECT_FALSE(fs::exists(folder_ / "out/point_2/at_rest"));
+    EXPECT_EQ(run("study " + file + " -o out --again").code, 0);
+    EXPECT_THAT(contents(folder_ / "out/study.html"), Not(HasSubstr("report.html\"")));
+    for (const std::string word : {"0", "5", "1.5", "worst"}) {
+        const Outcome wrong = run("study " + file + " -o out --report " + word);
+        EXPECT_EQ(wrong.code, 2);
+        EXPECT_THAT(wrong.err, HasSubstr("--report '" + word + "': expected a point, 1 to 4, 'best' or 'all'"));
+    }
 }
 
 // Killed between two runs or within a line: what is there is not done again, and the table comes out the same.
@@ -92,7 +126,7 @@ TEST_F(StudyCommand, TellsOfEachVariantThatFails) {
                         << "values = [1000, -5]\n[[run]]\nname = \"at_rest\"\nanalysis = \"vehicle\"\n";
     const Outcome r = run("study study.toml -o out");
     EXPECT_EQ(r.code, 0) << r.err;
-    EXPECT_THAT(r.out, HasSubstr("1 runs failed"));
+    EXPECT_THAT(r.out, HasSubstr("1 run failed"));
     EXPECT_THAT(contents(folder_ / "out/study.csv"),
                 HasSubstr("key 'chassis.mass_kg' = -5: expected a positive number [kg]"));
 }

@@ -1,6 +1,7 @@
 // Study files, and the points that they ask for.
 #include "hamilcar/study/study_file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -57,7 +58,7 @@ TEST_F(StudyFile, SpreadsPointsOverRanges) {
     const std::string words = "[[parameter]]\nname = \"b\"\nkey = \"vehicle.name\"\nwords = [\"x\", \"y\"]\n";
     for (const std::string& sampling :
          {std::string("sampling = \"sobol\"\n"), std::string("sampling = \"latin_hypercube\"\nseed = 3\n")}) {
-        const std::vector<StudyPoint> points = points_of(read(sampling + "points = 32\n" + runs + range + words));
+        const std::vector<StudyPoint> points = points_of(read(fmt::format("{}points = 32\n{}{}{}", sampling, runs, range, words)));
         ASSERT_EQ(points.size(), 32u);
         double mean = 0;
         int first = 0;

@@ -284,8 +284,15 @@ export interface ChartBlock {
   readonly lines?: readonly GroundLine[];
 }
 
+// a text that opens a file
+export interface FileCell {
+  readonly text: string;
+  // by its path from the page's folder
+  readonly file: string;
+}
+
 // null: does not exist
-export type Cell = string | number | null;
+export type Cell = string | number | null | FileCell;
 
 export interface TableColumn {
   readonly name: string;

@@ -86,6 +86,16 @@ test("what is nothing but round-off is zero, and what is small is not", async ()
   await page.close();
 });
 
+test("a cell opens its file, whatever the file is called", async () => {
+  const file = "point 1/a#b?/report.html";
+  const rows: Cell[][] = [["1", { text: "passed", file }], ["2", "passed"]];
+  const page = await show("files", new Columns(), [{ kind: "table", title: "Points", columns: columnsOf("", "turn"), rows }]);
+  const link = page.getByRole("link", { name: "passed" });
+  assert.equal(await link.count(), 1);
+  assert.equal(await link.getAttribute("href"), "./point%201/a%23b%3F/report.html");
+  await page.close();
+});
+
 test("a table scrolls only where it is long", async () => {
   const rows = (count: number): Cell[][] => Array.from({ length: count }, (_, i) => [`row ${i}`, i]);
   const table = (title: string, count: number): Block =>

@@ -46,15 +46,24 @@ function formatOf(cells: readonly Cell[]): Format {
   return (value) => (Number.isFinite(value) ? fixed(value, decimals) : significant(value));
 }
 
+function textOf(cell: Cell): string {
+  if (cell === null) return "";
+  return typeof cell === "object" ? cell.text : String(cell);
+}
+
+// A path's parts, so that no folder's name is taken for a query or another site.
+const addressOf = (file: string): string => "./" + file.split("/").map(encodeURIComponent).join("/");
+
 // Short words stay on one line, though the table may scroll for it.
 function kindOf(cells: readonly Cell[]): string | null {
   if (cells.some((cell) => typeof cell === "number")) return "number";
-  return cells.every((cell) => String(cell ?? "").length <= 24) ? "short" : null;
+  return cells.every((cell) => textOf(cell).length <= 24) ? "short" : null;
 }
 
 function cellOf(cell: Cell, format: Format, kind: string | null, leads: boolean): HTMLElement {
   if (cell === null) return element("td", { class: kind }, element("span", { "aria-label": "none" }, "–"));
   if (typeof cell === "number") return element("td", { class: kind, title: String(cell) }, format(withoutRoundOff(cell, 0)));
+  if (typeof cell === "object") return element("td", { class: kind }, element("a", { href: addressOf(cell.file) }, cell.text));
   return leads ? element("th", { scope: "row", class: kind }, cell) : element("td", { class: kind }, cell);
 }
 
