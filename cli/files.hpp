@@ -20,7 +20,7 @@ std::string vehicle_or_shipped(const std::string& file);
 // A vehicle as the command line names it.
 struct VehicleChoice {
     std::string file;
-    std::vector<std::string> set;  // "KEY=VALUE", keys of the file with other values
+    std::vector<std::string> set;          // "KEY=VALUE", keys of the file with other values
     std::string set_by = "--vehicle-set";  // for messages; a file's path: paths among the values start from its folder
 };
 // --vehicle-set, which every command has that reads a vehicle.

@@ -135,7 +135,8 @@ void print_study(const StudyDescription& study, const StudyTable& table) {
     std::size_t failures = 0;
     for (const auto& runs : table.failed)
         failures += static_cast<std::size_t>(std::ranges::count_if(runs, [](const auto& f) { return !f.empty(); }));
-    if (failures > 0) fmt::print("  {} failed: the table says why\n", failures == 1 ? "1 run" : fmt::format("{} runs", failures));
+    if (failures > 0)
+        fmt::print("  {} failed: the table says why\n", failures == 1 ? "1 run" : fmt::format("{} runs", failures));
     if (const auto best = table.best()) {
         fmt::print("  best: point {}", *best + 1);
         for (std::size_t k = 0; k < table.parameters.size(); ++k) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks every vehicle and scenario against its schema with taplo, and that the schemas refuse what is wrong.
+"""Checks every vehicle, scenario and study against its schema with taplo, and that the schemas refuse what is wrong.
 
 The linter is what editors use ("Even Better TOML"), so a file that passes here is clean there. It is installed once
 from tools/taplo/package-lock.json and needs no network after that. Without Node.js nothing is checked, and it says so.
@@ -17,7 +17,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 HOME = ROOT / "tools/taplo"
 PACKAGE = HOME / "node_modules/@taplo/cli/package.json"
 CAR, TRUCK, RUN = "vehicles/bmw_323i.toml", "vehicles/truck_semitrailer.toml", "scenarios/step_steer.toml"
-ROUGH = "scenarios/rough_road.toml"
+ROUGH, STUDY = "scenarios/rough_road.toml", "studies/front_bar.toml"
 
 # What is wrong, the file, what is changed into what, and a piece of the linter's message.
 MISTAKES = [
@@ -47,6 +47,9 @@ MISTAKES = [
     ("a list without times", RUN, "time_s = ", "# ", '"time_s" is a required property'),
     ("two steering inputs", RUN, "[inputs.drive]", "[inputs.rack]\ndisplacement_m = 0\n[inputs.drive]",
      "'steering_wheel' was unexpected"),
+    ("misspelled key", STUDY, "maneuver = ", "manoeuvre = ", "'manoeuvre' was unexpected"),
+    ("missing key", STUDY, "key = ", "# ", '"key" is a required property'),
+    ("a goal that is none", STUDY, 'want = "min"', 'want = "small"', '"small" is not one of'),
 ]
 
 
@@ -74,12 +77,12 @@ def lint(*arguments):
 
 def unrefused(folder):
     """The mistakes that the linter does not see, or sees as something else."""
-    for kind in ("vehicle", "scenario"):
+    for kind, home in (("vehicle", "vehicles/"), ("scenario", "scenarios/"), ("study", "studies/")):
         mistakes = {}
         for number, mistake in enumerate(MISTAKES):
             what, name, old, new, _ = mistake
             text = (ROOT / name).read_text()
-            if not name.startswith(kind):
+            if not name.startswith(home):
                 continue
             if old not in text:
                 yield f"{what}: '{old}' is not in {name}"

@@ -20,6 +20,7 @@ KindText text_of(FileKind kind) {
             return {"a vehicle", "'hamilcar check' looks at it, and a scenario names it as its 'vehicle'"};
         case FileKind::scenario:
             return {"a scenario", "'hamilcar run' drives it; the vehicle is what it names as 'vehicle'"};
+        case FileKind::study: return {"a study", "'hamilcar study' runs its variants"};
         case FileKind::tire: return {"a tire", "'hamilcar tire' shows it, and a vehicle names it in a [tire.NAME]"};
         case FileKind::measured_road: return {"a measured road", "a scenario names it in its [road]"};
         case FileKind::results: return {"results of a run", "'hamilcar view' shows them"};
@@ -33,6 +34,7 @@ KindText text_of(FileKind kind) {
 FileKind kind_of_toml(const std::string& path) {
     try {
         const Node document = read_toml(path);
+        if (document.find("parameter")) return FileKind::study;
         if (document.find("vehicle")) return FileKind::scenario;
         if (document.find("chassis") || document.find("axle")) return FileKind::vehicle;
     } catch (const Error&) {

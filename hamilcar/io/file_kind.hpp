@@ -6,7 +6,7 @@
 
 namespace hamilcar::io {
 
-enum class FileKind { vehicle, scenario, tire, measured_road, results, outcome, folder, other };
+enum class FileKind { vehicle, scenario, study, tire, measured_road, results, outcome, folder, other };
 
 // By what stands in it.
 FileKind kind_of_file(const std::string& path);

@@ -57,8 +57,11 @@ Json shared(const Json& json, const std::string& name, const std::map<std::strin
     return out;
 }
 
+}  // namespace
+
 // A file with a base may leave out whatever the base has, so only the names and the values of its keys can be judged.
-std::string schema_of(const TableRecord& file, const std::string& title) {
+std::string schema_of(const std::string& title, const std::function<void(const TableReader&)>& read) {
+    const TableRecord file = record_keys(read);
     Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", title}};
     schema.update(table_schema(file));
     schema["properties"]["base"] = {{"type", "string"},
@@ -74,14 +77,12 @@ std::string schema_of(const TableRecord& file, const std::string& title) {
     return written(schema, "") + "\n";
 }
 
-}  // namespace
-
 std::string vehicle_schema() {
-    return schema_of(record_keys([](const TableReader& file) { read_vehicle(file); }), "Hamilcar vehicle");
+    return schema_of("Hamilcar vehicle", [](const TableReader& file) { read_vehicle(file); });
 }
 
 std::string scenario_schema() {
-    return schema_of(record_keys([](const TableReader& file) { read_scenario(file); }), "Hamilcar scenario");
+    return schema_of("Hamilcar scenario", [](const TableReader& file) { read_scenario(file); });
 }
 
 }  // namespace hamilcar::io

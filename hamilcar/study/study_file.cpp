@@ -6,6 +6,8 @@
 #include "hamilcar/base/text.hpp"
 #include "hamilcar/io/choices.hpp"
 #include "hamilcar/io/every_mistake.hpp"
+#include "hamilcar/io/file_kind.hpp"
+#include "hamilcar/io/schema.hpp"
 #include "hamilcar/study/sampling.hpp"
 
 namespace hamilcar {
@@ -104,11 +106,14 @@ std::size_t point_count(const StudyDescription& study) {
 }  // namespace
 
 StudyDescription read_study(const std::string& path) {
-    io::Node document = io::read_toml(path);
+    io::Node document;
     StudyDescription study;
-    io::with_every_mistake(
-        document, [](const TableReader& file) { read_study(file); },
-        [&] { study = read_study(TableReader(document, "")); });
+    io::expect_kind(path, io::FileKind::study, [&] {
+        document = io::read_toml(path);
+        io::with_every_mistake(
+            document, [](const TableReader& file) { read_study(file); },
+            [&] { study = read_study(TableReader(document, "")); });
+    });
     study.file = path;
     study.places = io::places_of(document);
     return study;
@@ -141,6 +146,10 @@ StudyDescription read_study(const TableReader& file) {
     }
     file.finish();
     return study;
+}
+
+std::string study_schema() {
+    return io::schema_of("Hamilcar study", [](const TableReader& file) { read_study(file); });
 }
 
 }  // namespace hamilcar

@@ -12,4 +12,7 @@ namespace hamilcar {
 StudyDescription read_study(const std::string& path);
 StudyDescription read_study(const io::TableReader& file);
 
+// For editors (io/schema.hpp).
+std::string study_schema();
+
 }  // namespace hamilcar

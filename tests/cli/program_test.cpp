@@ -302,7 +302,8 @@ TEST_F(Program, HelpsWithTheCommandLine) {
     EXPECT_EQ(run("run").code, 2);
     const Outcome word = run("schema vehicles");
     EXPECT_EQ(word.code, 2);
-    EXPECT_THAT(word.err, HasSubstr("kind: 'vehicles': expected 'vehicle' or 'scenario'; did you mean 'vehicle'?"));
+    EXPECT_THAT(word.err,
+                HasSubstr("kind: 'vehicles': expected 'vehicle', 'scenario' or 'study'; did you mean 'vehicle'?"));
     for (const char* number : {"0.5", "nan", "fast"}) {
         const Outcome outside = run("kinematics car.toml --travel " + std::string(number));
         EXPECT_EQ(outside.code, 2);
@@ -310,7 +311,9 @@ TEST_F(Program, HelpsWithTheCommandLine) {
                     HasSubstr("--travel: '" + std::string(number) + "': expected a number from 1 to 1000 mm"));
     }
     EXPECT_THAT(run("kinematics --help").out, HasSubstr("of the wheels, each way [80 mm]"));
-    EXPECT_EQ(run("schema scenario").out, contents(test::source_path("schemas/scenario.schema.json")));
+    for (const std::string kind : {"scenario", "study"}) {
+        EXPECT_EQ(run("schema " + kind).out, contents(test::source_path("schemas/" + kind + ".schema.json")));
+    }
     EXPECT_THAT(run("--version").out, HasSubstr("hamilcar 0."));
 }
 

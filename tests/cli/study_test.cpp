@@ -65,8 +65,9 @@ TEST_F(StudyCommand, GivesWhatSingleRunsGive) {
 // The runs of a point with their reports, which are theirs alone: the same figures.
 TEST_F(StudyCommand, OpensTheRunsOfAPoint) {
     std::ofstream(folder_ / "drive.toml") << "name = \"drive\"\nvehicle = \"none.toml\"\nduration_s = 0.1\n";
-    const std::string file = study("[[run]]\nname = \"drive\"\nscenario = \"drive.toml\"\n"
-                                   "[[goal]]\nfigure = \"step: steady roll angle\"\nwant = \"min\"\n");
+    const std::string file = study(
+        "[[run]]\nname = \"drive\"\nscenario = \"drive.toml\"\n"
+        "[[goal]]\nfigure = \"step: steady roll angle\"\nwant = \"min\"\n");
     const Outcome r = run("study " + file + " --json -o out --report 2 --report best");
     ASSERT_EQ(r.code, 0) << r.err;
     const Json all = Json::parse(r.out);

@@ -19,6 +19,7 @@
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/maneuver/outcome_file.hpp"
 #include "hamilcar/run/checkpoint.hpp"
+#include "hamilcar/study/study_file.hpp"
 #include "support/driven.hpp"
 
 namespace hamilcar::fuzz {
@@ -62,6 +63,19 @@ inline void run_scenario(std::string_view bytes) {
     read_as_file(bytes, [](const std::string& path) {
         const ScenarioDescription scenario = io::read_scenario(path);
         demand(scenario.duration > 0 && scenario.solver.step > 0, "a scenario without time");
+    });
+}
+
+inline void run_study(std::string_view bytes) {
+    read_as_file(bytes, [](const std::string& path) {
+        const StudyDescription study = read_study(path);
+        demand(!study.runs.empty() && !study.parameters.empty(), "a study of nothing");
+        std::size_t values = study.points;
+        for (const StudyParameter& parameter : study.parameters) values += parameter.values.size() + parameter.count;
+        if (values > 20) return;  // a million points take their time
+        for (const StudyPoint& point : points_of(study)) {
+            demand(point.values.size() == study.parameters.size(), "a point without all its values");
+        }
     });
 }
 

@@ -9,7 +9,8 @@ std::span<const Reader> readers() {
     static constexpr Reader all[] = {
         {"checkpoint", run_checkpoint}, {"columns", run_columns}, {"crg", run_crg},         {"grid", run_grid},
         {"message", run_message},       {"netcdf", run_netcdf},   {"outcome", run_outcome}, {"request", run_request},
-        {"scenario", run_scenario},     {"scene", run_scene},     {"tir", run_tir},         {"vehicle", run_vehicle},
+        {"scenario", run_scenario},     {"scene", run_scene},     {"study", run_study},     {"tir", run_tir},
+        {"vehicle", run_vehicle},
     };
     return all;
 }

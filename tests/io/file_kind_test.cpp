@@ -14,6 +14,7 @@ TEST(FileKind, IsKnownFromWhatStandsInTheFile) {
     const TemporaryFolder folder;
     EXPECT_EQ(kind_of_file(repository_path("vehicles/bmw_323i.toml")), FileKind::vehicle);
     EXPECT_EQ(kind_of_file(repository_path("scenarios/paper.toml")), FileKind::scenario);
+    EXPECT_EQ(kind_of_file(repository_path("studies/front_bar.toml")), FileKind::study);
     EXPECT_EQ(kind_of_file(repository_path("vehicles/tires/pacejka_205_60_r15.tir")), FileKind::tire);
     EXPECT_EQ(kind_of_file(repository_path("vehicles")), FileKind::folder);
     EXPECT_EQ(kind_of_file(repository_path("README.md")), FileKind::other);
@@ -28,6 +29,8 @@ TEST(FileKind, ThatIsNotTheExpectedOneIsTold) {
                       tire = repository_path("vehicles/tires/pacejka_205_60_r15.tir");
     expect_error([&] { read_vehicle(run); }, ExitCode::bad_file,
                  {run + ": this is a scenario, expected a vehicle; 'hamilcar run' drives it"});
+    expect_error([&] { read_scenario(repository_path("studies/front_bar.toml")); }, ExitCode::bad_file,
+                 {"this is a study, expected a scenario; 'hamilcar study'"});
     expect_error([&] { read_scenario(car); }, ExitCode::bad_file,
                  {car + ": this is a vehicle, expected a scenario; 'hamilcar check'"});
     expect_error([&] { read_vehicle(tire); }, ExitCode::bad_file,

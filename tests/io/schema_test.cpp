@@ -39,9 +39,10 @@ TEST(Schema, CommittedFilesAreThoseOfTheProgram) {
 }
 
 TEST(Schema, KnowsEveryKeyOfTheShippedFiles) {
-    for (const std::string kind : {"vehicle", "scenario"}) {
+    for (const std::string kind : {"vehicle", "scenario", "study"}) {
         const Json schema = Json::parse(read_file(repository_path("schemas/" + kind + ".schema.json")));
-        for (const auto& file : std::filesystem::directory_iterator(repository_path(kind + "s"))) {
+        for (const auto& file :
+             std::filesystem::directory_iterator(repository_path(kind == "study" ? "studies" : kind + "s"))) {
             if (file.path().extension() != ".toml") continue;
             expect_known(read_toml(file.path().string()), schema, schema, file.path().filename().string());
         }

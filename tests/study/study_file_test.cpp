@@ -58,7 +58,8 @@ TEST_F(StudyFile, SpreadsPointsOverRanges) {
     const std::string words = "[[parameter]]\nname = \"b\"\nkey = \"vehicle.name\"\nwords = [\"x\", \"y\"]\n";
     for (const std::string& sampling :
          {std::string("sampling = \"sobol\"\n"), std::string("sampling = \"latin_hypercube\"\nseed = 3\n")}) {
-        const std::vector<StudyPoint> points = points_of(read(fmt::format("{}points = 32\n{}{}{}", sampling, runs, range, words)));
+        const std::vector<StudyPoint> points =
+            points_of(read(fmt::format("{}points = 32\n{}{}{}", sampling, runs, range, words)));
         ASSERT_EQ(points.size(), 32u);
         double mean = 0;
         int first = 0;
