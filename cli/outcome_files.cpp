@@ -55,8 +55,10 @@ void print_outcome(const ManeuverRun& run, const Outcome& outcome) {
     std::size_t width = 0;
     for (const Figure& f : outcome.figures) width = std::max(width, f.name.size());
     for (const Figure& f : outcome.figures) {
-        const std::string value =
+        std::string value =
             std::isfinite(f.value) ? fmt::format("{:.5g} {}", without_round_off(f.value), f.unit) : "not shown";
+        const std::optional<Figure> other = per_g(f);
+        if (other && std::isfinite(f.value)) value += fmt::format(" = {:.4g} {}", other->value, other->unit);
         fmt::print("  {:<{}}  {}\n", f.name, width, value);
     }
     for (const Verdict& v : outcome.verdicts) {
@@ -64,7 +66,7 @@ void print_outcome(const ManeuverRun& run, const Outcome& outcome) {
                    v.found.empty() ? "" : " (" + v.found + ")");
     }
     for (const std::string& note : outcome.notes) fmt::print("  note: {}\n", note);
-    for (const ValidityWarning& warning : outcome.validity) fmt::print("  validity: {}\n", sentence(warning));
+    for (const std::string& line : sentences(outcome.validity)) fmt::print("  validity: {}\n", line);
     const EnergyBalance& energy = outcome.energy;
     if (outcome.stopped == Stopped::numerical) return;  // told with the reason
     if (!energy.is_kept) {

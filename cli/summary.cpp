@@ -144,7 +144,7 @@ void print_summary(const RunReport& report) {
     }
     fmt::print("  speed            {:.3f} s, {:.0f} times real time\n", report.run.wall_time,
                report.run.real_time_factor());
-    for (const ValidityWarning& warning : report.run.validity) fmt::print("  validity         {}\n", sentence(warning));
+    for (const std::string& line : sentences(report.run.validity)) fmt::print("  validity         {}\n", line);
     for (const std::string& file : report.files) fmt::print("  wrote            {}\n", file);
 }
 

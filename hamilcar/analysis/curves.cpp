@@ -53,6 +53,29 @@ std::vector<double> local_slopes(std::span<const double> x, std::span<const doub
     return out;
 }
 
+double slope_at(std::span<const double> x, std::span<const double> y, double at, double reach) {
+    constexpr Eigen::Index min_points = 4, terms = 3;
+    constexpr double aside = 0.2;  // of the reach
+    std::vector<std::size_t> used;
+    bool below = false, above = false;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        if (std::abs(x[i] - at) > reach * (1 + 1e-9) || !std::isfinite(y[i])) continue;
+        used.push_back(i);
+        below = below || x[i] <= at - aside * reach, above = above || x[i] >= at + aside * reach;
+    }
+    const auto rows = static_cast<Eigen::Index>(used.size());
+    if (rows < min_points || !below || !above) return not_there;
+    Eigen::MatrixXd powers(rows, terms);
+    Eigen::VectorXd right(rows);
+    for (Eigen::Index row = 0; row < rows; ++row) {
+        const std::size_t i = used[static_cast<std::size_t>(row)];
+        const double share = (x[i] - at) / reach;
+        powers.row(row) << 1, share, share * share;
+        right[row] = y[i];
+    }
+    return least_squares(powers, right)[1] / reach;
+}
+
 double value_at(const std::vector<double>& x, const std::vector<double>& y, double at) {
     const bool inside = !x.empty() && at >= x.front() - 1e-9 && at <= x.back() + 1e-9;
     return inside ? interpolated(x, y, at) : not_there;

@@ -16,6 +16,10 @@ std::array<double, 2> fit_from_zero(std::span<const double> base, std::span<cons
 // Slopes of lines through every point and its neighbors within `half_width` of x.
 std::vector<double> local_slopes(std::span<const double> x, std::span<const double> y, double half_width);
 
+// The slope there of a parabola by least squares through the points within `reach` of x; NaN unless there are four of
+// them, on both sides by a fifth of it.
+double slope_at(std::span<const double> x, std::span<const double> y, double at, double reach);
+
 // A value at a place between ascending x, linear between neighbors; NaN outside.
 double value_at(const std::vector<double>& x, const std::vector<double>& y, double at);
 // Where a curve first falls through a level, linear between points; NaN where it does not.

@@ -19,6 +19,7 @@ constexpr double resolution = 0.02;      // of the largest lateral acceleration 
 constexpr double share_of_stairs = 0.5;  // of the progress
 constexpr double off_circle = 0.5;       // ISO 4138's tolerance [m]
 constexpr double lost = 2;               // off the circle: the driver gives up [m]
+constexpr double unsteady = 0.005;       // share of the acceleration: one that turns in so much faster is not held
 constexpr double other_circle = 0.02;    // share of the curvature: a state so far off is not steady
 constexpr double interval = 0.02;        // between rows [s]
 constexpr int circle_points = 180;
@@ -33,11 +34,10 @@ std::vector<Setting> settings(const VehicleDescription& vehicle) {
             small_setting(vehicle)};
 }
 
-// Rests on these lateral accelerations [m/s^2], the way to the last one gentle, to the others at a rate of `rate` [m/s^2].
+// Rests on these lateral accelerations [m/s^2], the way to the largest one gentle, to the others at a rate of `rate` [m/s^2].
 Stairs plan(const std::vector<double>& accelerations, double rate, const TestRun& test) {
     return stairs(accelerations, test["radius"], test["rest"], 0, [&](const std::vector<double>& v, std::size_t i) {
-        const bool last = i + 2 == v.size();
-        return std::max(shortest_ramp, (v[i + 1] - v[i]) / (last ? gentle : rate));
+        return std::max(shortest_ramp, (v[i + 1] - v[i]) / (v[i + 1] == v.back() ? gentle : rate));
     });
 }
 
@@ -98,26 +98,26 @@ void judge_circle(TestRun& test, const Recording& recording, const Stairs& plann
                        : fmt::format("not reached: {:.2f} m up to {:.2f} m/s^2", farthest, reached));
 }
 
-// Of a drive that comes gently to the last speed: what is held there, as measured [m/s^2], or nothing.
-std::optional<double> held_at_end(const Drive& drive, const Stairs& planned, double radius) {
+// Of a drive that comes gently to the last speed: what is held there, or nothing.
+std::optional<SteadyTurn> held_at_end(const Drive& drive, const Stairs& planned, double radius) {
     const Recording& recording = drive.recording;
     if (drive.stopped != Stopped::no || drive.ended) return {};
     const std::vector<SteadyTurn> rests = rests_on_circle(recording, planned, radius);
-    if (rests.size() < planned.speeds.size() || !rests.back().settled()) return {};
+    if (rests.size() < planned.speeds.size() || rests.back().unsteadiness() > unsteady) return {};
     const std::vector<double> offset = off(recording, radius);
     const std::size_t last = sample_at(recording[channel::x], recording.end() - steady_window);
     if (std::ranges::any_of(std::span(offset).subspan(last), [](double here) { return here > off_circle; })) return {};
-    return std::min(rests.back().lateral_acceleration(), rests.back().acceleration);
+    return rests.back();
 }
 
 // The largest lateral acceleration that is held, sought by drives that each come to theirs in the same way, whatever was driven
-// before: so it is of the vehicle, and not of the steps. From one that was held on the way up; NaN where none is or a drive
-// broke off [m/s^2]. Levels are in steps of the resolution.
-double largest_held(TestRun& test, double held_before) {
+// before: so it is of the vehicle, and not of the steps. From one that was held on the way up [m/s^2]; nothing where none is or
+// a drive broke off. Levels are in steps of the resolution.
+std::optional<SteadyTurn> largest_held(TestRun& test, double held_before) {
     const double most = std::floor(test["largest_lateral_acceleration"] / resolution + 1e-9), radius = test["radius"];
     int tried = 0;
-    double width = 8;               // of the next step outward
-    std::map<double, double> held;  // as measured [m/s^2]
+    double width = 8;  // of the next step outward
+    std::map<double, SteadyTurn> held;
     const auto next = [&](const Bracket& now) -> std::optional<double> {
         if (tried == 0) return std::clamp(std::round(held_before / resolution), 1.0, most);
         if (now.low > 0 && now.high <= most) return std::floor(now.middle());
@@ -128,31 +128,39 @@ double largest_held(TestRun& test, double held_before) {
     const auto holds = [&](double level) -> std::optional<bool> {
         constexpr double calm = 0.5, near = 0.9;  // of what is tried: where it starts, and from where it goes gently
         const double a = level * resolution;
-        const Stairs planned = plan({calm * a, near * a, a}, brisk, test);
+        // Three rests: near the limit driver and vehicle swing about the circle for long before they are calm, or lost.
+        const Stairs planned = plan({calm * a, near * a, a, a, a}, brisk, test);
         const double from = 1 - (1 - share_of_stairs) * std::pow(0.8, tried++), to = 0.2 + 0.8 * from;
         const Drive drive =
             test.drive(round_the_circle(test, planned), {.interval = interval, .share = {from, to}, .replay = false});
         if (!test.take_energy(drive)) return {};
         const auto reached = held_at_end(drive, planned, radius);
-        if (reached) held[level] = *reached;
+        if (reached) held.emplace(level, *reached);
         return reached.has_value();
     };
     Bracket found{0, most + 1};  // beyond what is tried
     narrow(found, 1, next, holds);
-    return test.outcome.failed || found.low == 0 ? not_shown : held.at(found.low);
+    if (test.outcome.failed || found.low == 0) return {};
+    return held.at(found.low);
 }
 
 void run(TestRun& test) {
     const Stairs planned = plan(levels(test), gentle, test);
     Drive drive = test.drive(round_the_circle(test, planned), {.interval = interval, .share = {0, share_of_stairs}});
-    const std::vector<SteadyTurn> rests = rests_on_circle(drive.recording, planned, test["radius"]);
-    evaluate(test, rests, 1.2 * test["step"]);
+    std::vector<SteadyTurn> states = rests_on_circle(drive.recording, planned, test["radius"]);
     judge_circle(test, drive.recording, planned);
     test.outcome.course.line = circle(test["radius"], circle_points);
-    finish_steady(test, drive, rests.size());
-    if (rests.empty() || test.outcome.failed) return;
-    const double largest = largest_held(test, rests.back().lateral_acceleration());
-    test.figure("largest lateral acceleration", "m/s^2", largest,
+    finish_steady(test, drive, states.size());
+    std::optional<SteadyTurn> last;
+    if (!states.empty() && !test.outcome.failed) last = largest_held(test, states.back().lateral_acceleration());
+    if (last) {  // states beyond it were held for a moment, by the way that led to them
+        std::erase_if(states, [&](const SteadyTurn& state) {
+            return state.lateral_acceleration() >= last->lateral_acceleration();
+        });
+        states.push_back(*last);
+    }
+    evaluate(test, states, 1.2 * test["step"]);
+    test.figure("largest lateral acceleration", "m/s^2", last ? last->lateral_acceleration() : not_shown,
                 fmt::format("that was held on the circle, steadily for a second; sought to {:g} m/s^2", resolution));
 }
 

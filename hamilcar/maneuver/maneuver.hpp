@@ -47,6 +47,8 @@ struct Figure {
     std::string name, unit, meaning;
     double value;
 };
+// A gradient over lateral acceleration [X/(m/s^2)] as it is often told, in X/g; nothing for other figures.
+std::optional<Figure> per_g(const Figure& figure);
 
 // Pass or fail, where the standard has a limit or the driver a task: "lateral displacement at 1.07 s at least 1.83 m", found
 // "2.41 m".

@@ -52,6 +52,7 @@ Json outcome_json(const ManeuverRun& run, const Outcome& outcome) {
     Json figures = Json::array(), charts = Json::array();
     for (const Figure& f : outcome.figures) {
         figures.push_back({{"name", f.name}, {"unit", f.unit}, {"value", number(f.value)}, {"meaning", f.meaning}});
+        if (const auto other = per_g(f)) figures.back()["per_g"] = number(other->value);
     }
     for (const io::Chart& chart : outcome.charts) charts.push_back(io::chart_json<Json>(chart, numbers));
     return {{"program", run.program},

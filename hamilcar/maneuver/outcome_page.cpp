@@ -20,7 +20,13 @@ io::Cell cell(double value) {
 
 io::Table figures_table(const Outcome& outcome) {
     io::Table table{"Characteristic values", {{"", ""}, {"value", ""}, {"unit", ""}, {"meaning", ""}}, {}};
-    for (const Figure& f : outcome.figures) table.rows.push_back({f.name, cell(f.value), f.unit, f.meaning});
+    for (const Figure& f : outcome.figures) {
+        const std::optional<Figure> other = per_g(f);
+        const bool has_both = other && std::isfinite(f.value);
+        table.rows.push_back(
+            {f.name, cell(f.value), f.unit,
+             has_both ? fmt::format("{}: {:.3g} {}", f.meaning, other->value, other->unit) : f.meaning});
+    }
     return table;
 }
 

@@ -17,6 +17,20 @@ std::vector<double> column(const std::vector<SteadyTurn>& states, const std::fun
     return out;
 }
 
+// Where the tires are worked harder: what stiffens one axle in roll takes from the gradient at first, by its camber, and adds to
+// it near the limit.
+void add_understeer_beyond(TestRun& test, const std::vector<double>& a, const std::vector<double>& beyond,
+                           double half_width, double steering_ratio) {
+    const double first = is_heavy(test.vehicle) ? 1 : 2, reach = std::max(first / 2, 2 * half_width);
+    for (const double level : {first, 2 * first, 3 * first}) {
+        const double gradient = slope_at(a, beyond, level, reach);
+        test.figure(fmt::format("understeer gradient at {:g} m/s^2", level), "deg/(m/s^2)", gradient,
+                    "of the steering wheel's angle beyond geometry");
+        test.figure(fmt::format("understeer gradient of the wheels at {:g} m/s^2", level), "deg/(m/s^2)",
+                    gradient / steering_ratio, "the same over the steering ratio");
+    }
+}
+
 }  // namespace
 
 SteadyTurn steady_turn(const Recording& recording, double from, double to) {
@@ -30,6 +44,10 @@ SteadyTurn steady_turn(const Recording& recording, double from, double to) {
             .torque = mean_of(channel::steering_torque),
             .roll = mean_of(channel::roll),
             .sideslip = std::atan2(mean_of(channel::lateral_speed), speed) / degree};
+}
+
+double SteadyTurn::unsteadiness() const {
+    return std::abs(lateral_acceleration() - acceleration) / std::abs(acceleration);
 }
 
 bool SteadyTurn::settled() const {
@@ -119,6 +137,7 @@ void evaluate(TestRun& test, const std::vector<SteadyTurn>& states, double half_
                 "of the steering wheel's angle beyond geometry, at small lateral acceleration");
     test.figure("understeer gradient of the wheels", "deg/(m/s^2)", gradient / geometry.steering_ratio,
                 "the same over the steering ratio");
+    add_understeer_beyond(test, a, beyond, half_width, geometry.steering_ratio);
     test.figure("roll gradient", "deg/(m/s^2)", slope(roll), "roll angle over lateral acceleration");
     test.figure("sideslip gradient", "deg/(m/s^2)", slope(sideslip),
                 "sideslip angle of the center of mass over lateral acceleration");

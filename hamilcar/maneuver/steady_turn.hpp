@@ -19,8 +19,9 @@ struct SteadyTurn {
     // Speed times yaw rate, as linear theory has it [m/s^2].
     double lateral_acceleration() const { return speed * yaw_rate; }
     double curvature() const { return yaw_rate / speed; }
-    // Whether forces and turning belong together: a vehicle that begins to spin turns faster than its path.
-    bool settled() const;
+    // By how much forces and turning differ, a share of the acceleration: a vehicle that begins to spin turns faster than its path.
+    double unsteadiness() const;
+    bool settled() const;  // that is small
 };
 SteadyTurn steady_turn(const Recording& recording, double from, double to);
 

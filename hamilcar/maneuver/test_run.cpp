@@ -35,6 +35,15 @@ void TestRun::figure(std::string name, std::string unit, double value, std::stri
     outcome.figures.push_back({std::move(name), std::move(unit), std::move(meaning), value});
 }
 
+std::optional<Figure> per_g(const Figure& figure) {
+    constexpr std::string_view over_acceleration = "/(m/s^2)";
+    if (!figure.unit.ends_with(over_acceleration)) return {};
+    Figure out = figure;
+    out.unit.replace(out.unit.size() - over_acceleration.size(), over_acceleration.size(), "/g");
+    out.value *= standard_gravity;
+    return out;
+}
+
 void TestRun::verdict(std::string criterion, bool passed, std::string found) {
     outcome.verdicts.push_back({std::move(criterion), passed, std::move(found)});
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "hamilcar/analysis/energy_bounds.hpp"
 
@@ -26,6 +28,29 @@ std::string sentence(const ValidityWarning& w) {
     return fmt::format("{}{}: {} {:.4g}{} at t = {:.4g} s (limit {:.4g}{}{}): {}; {}",
                        w.drive.empty() ? "" : w.drive + ": ", w.where, w.quantity, w.worst, unit, w.time, w.limit, unit,
                        when, w.meaning, w.advice);
+}
+
+std::vector<std::string> sentences(const std::vector<ValidityWarning>& warnings) {
+    std::vector<std::pair<ValidityWarning, int>> farthest;  // and how many are alike
+    for (const ValidityWarning& one : warnings) {
+        const auto same = std::ranges::find_if(farthest, [&](const auto& entry) {
+            const ValidityWarning& other = entry.first;
+            return std::tie(one.kind, one.quantity, one.meaning, one.advice) ==
+                   std::tie(other.kind, other.quantity, other.meaning, other.advice);
+        });
+        if (same == farthest.end()) {
+            farthest.emplace_back(one, 1);
+            continue;
+        }
+        ++same->second;
+        if (excess(one) > excess(same->first)) same->first = one;
+    }
+    std::vector<std::string> out;
+    for (auto& [warning, alike] : farthest) {
+        if (alike > 1) warning.where += fmt::format(", farthest of {} alike", alike);
+        out.push_back(sentence(warning));
+    }
+    return out;
 }
 
 std::vector<ValidityWarning> energy_warning(double error, double exchanged, double step, double duration) {

@@ -24,6 +24,9 @@ struct ValidityWarning {
 
 // "front_left.tire: slip angle 9.1 deg at t = 2.31 s (limit 5 deg, beyond it from 2.1 s to 2.5 s): ...; ..."
 std::string sentence(const ValidityWarning& warning);
+// One for all that say the same of different places, the place that is farthest beyond its limit: "rear_left.tire, farthest of 4
+// alike: ...". Pages and JSON have them all.
+std::vector<std::string> sentences(const std::vector<ValidityWarning>& warnings);
 
 // Of an account that is off by `error` where `exchanged` was moved, both [J]; nothing where that is explained by the step
 // (analysis/energy_bounds.hpp).

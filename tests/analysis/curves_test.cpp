@@ -32,6 +32,16 @@ TEST(Curves, HaveTheSlopeOfTheirNeighborhood) {
     EXPECT_TRUE(std::isnan(local_slopes(x, x, 0.05).at(10))) << "a point alone has no slope";
 }
 
+TEST(Curves, HaveTheSlopeOfAParabolaAtAPlace) {
+    const auto y = table(30, [](double at) { return 3 + 2 * at - 0.5 * at * at; });
+    EXPECT_NEAR(slope_at(x, y, 1, 0.5), 1, 1e-9);
+    EXPECT_NEAR(slope_at(x, y, 2.03, 0.5), -0.03, 1e-9) << "between points, and with more of them on one side";
+    EXPECT_NEAR(slope_at(x, y, 2.75, 0.5), -0.75, 1e-9) << "near the end";
+    EXPECT_TRUE(std::isnan(slope_at(x, y, 2.9, 0.5)) && std::isnan(slope_at(x, y, 0, 0.5))) << "at an end";
+    EXPECT_TRUE(std::isnan(slope_at(x, y, 3.5, 0.5)) && std::isnan(slope_at({}, {}, 1, 1))) << "beyond";
+    EXPECT_TRUE(std::isnan(slope_at(x, y, 1, 0.14))) << "three points are too few";
+}
+
 TEST(Curves, AreReadOffWithinTheirEndsOnly) {
     const std::vector<double> y{4, 2, 3, 0}, at{0, 1, 2, 3};
     EXPECT_DOUBLE_EQ(value_at(at, y, 0.5), 3);

@@ -17,7 +17,7 @@
 namespace hamilcar {
 namespace {
 
-using testing::HasSubstr;
+using testing::HasSubstr, testing::StartsWith;
 using units::degree;
 
 RunSummary driven(const VehicleDescription& car, const ScenarioDescription& scenario) {
@@ -271,6 +271,21 @@ TEST(Validity, KeepsOfSeveralDrivesTheOneThatWentFarthest) {
     ASSERT_EQ(all.size(), 1u);
     EXPECT_EQ(all[0].drive, "second");
     EXPECT_THAT(sentence(all[0]), HasSubstr("second: front_left.tire"));
+}
+
+// Seventeen tires of a truck are one line, what is another matter is another.
+TEST(Validity, IsToldOnceForManyPlaces) {
+    const auto warning = [](std::string where, double worst, std::string advice) {
+        return ValidityWarning{
+            .kind = "tire_load", .where = std::move(where), .worst = worst, .limit = 100, .advice = std::move(advice)};
+    };
+    const std::vector<std::string> told =
+        sentences({warning("front_left.tire", 120, "a"), warning("front_right.tire", 150, "a"),
+                   warning("rear_left.tire", 110, "b"), warning("rear_right.tire", 130, "a")});
+    ASSERT_EQ(told.size(), 2u);
+    EXPECT_THAT(told[0], StartsWith("front_right.tire, farthest of 3 alike: "));
+    EXPECT_THAT(told[1], StartsWith("rear_left.tire: "));
+    EXPECT_TRUE(sentences({}).empty());
 }
 
 }  // namespace
