@@ -67,7 +67,7 @@ void write_reports(const StudyDescription& study, const StudyTable& table, std::
 void remove_reports(const StudyTable& table, const std::string& folder) {
     for (const std::vector<std::string>& point : reports_in(folder, table)) {
         for (const std::string& report : point) {
-            if (!report.empty()) std::filesystem::remove(folder + "/" + report);
+            if (!report.empty()) std::filesystem::remove(std::filesystem::path(folder) / report);
         }
     }
 }
@@ -77,7 +77,7 @@ std::vector<std::vector<std::string>> reports_in(const std::string& folder, cons
     for (std::size_t i = 0; i < out.size(); ++i) {
         for (const std::string& run : table.runs) {
             const std::string report = folder_of(i, run) + "/report.html";
-            out[i].push_back(std::filesystem::exists(folder + "/" + report) ? report : "");
+            out[i].push_back(std::filesystem::exists(std::filesystem::path(folder) / report) ? report : "");
         }
     }
     return out;

@@ -126,7 +126,10 @@ StudyDescription read_study(const TableReader& file) {
     study.vehicle = file.path_to_file("vehicle");
     file.choose("sampling", samplings, 0, [&](std::size_t word) {
         study.sampling = static_cast<Sampling>(word);
-        if (word > 0) study.points = static_cast<std::size_t>(file.number("points", some));
+        if (word > 0) {
+            const double points = file.number("points", some);
+            study.points = file.is_recording() ? 0 : static_cast<std::size_t>(points);
+        }
         if (word == 1) {
             constexpr io::Range seed{"whole number from 0 to 1e15", 0, 1e15, true, true};
             study.seed = static_cast<std::uint64_t>(file.number("seed", seed, 1));

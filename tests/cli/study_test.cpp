@@ -51,7 +51,8 @@ TEST_F(StudyCommand, GivesWhatSingleRunsGive) {
                             "--vehicle-set {}={} --set speed={}",
                             car, bar, i < 2 ? 0 : 12000, i % 2 == 0 ? 70 : 90));
         ASSERT_EQ(single.code, 0) << single.err;
-        for (const Json& f : Json::parse(single.out)["figures"]) {
+        const Json told = Json::parse(single.out);
+        for (const Json& f : told["figures"]) {
             EXPECT_EQ(figure(all, i, "step: " + f["name"].get<std::string>()), f["value"]) << i << " " << f["name"];
         }
     }
@@ -88,7 +89,7 @@ TEST_F(StudyCommand, OpensTheRunsOfAPoint) {
     EXPECT_EQ(run("study " + file + " -o out --again").code, 0);
     EXPECT_THAT(contents(folder_ / "out/study.html"), Not(HasSubstr("report.html\"")));
     for (const std::string word : {"0", "5", "1.5", "worst"}) {
-        const Outcome wrong = run("study " + file + " -o out --report " + word);
+        const Outcome wrong = run(fmt::format("study {} -o out --report {}", file, word));
         EXPECT_EQ(wrong.code, 2);
         EXPECT_THAT(wrong.err, HasSubstr("--report '" + word + "': expected a point, 1 to 4, 'best' or 'all'"));
     }

@@ -28,11 +28,11 @@ TEST(ConstantRadius, HasTheGradientsOfLinearTheoryFartherOut) {
         test::driven(constant_radius(), car, {{"largest_lateral_acceleration", 5.2}, {"rest", 5}, {"step", 0.4}});
     const double ratio = turning_geometry(car).steering_ratio;
     for (const double a : {2.0, 4.0}) {
-        const std::string gradient = "understeer gradient", at = fmt::format(" at {:g} m/s^2", a);
+        const std::string at_a = fmt::format("at {:g} m/s^2", a);
         const double theory = constant_radius_gradient(car, 100, std::sqrt(100 * a)) / degree;
-        test::expect_share(test::figure(outcome, gradient + at), theory, 0.02, gradient + at);
-        test::expect_share(test::figure(outcome, gradient + " of the wheels" + at), theory / ratio, 0.02,
-                           "wheels" + at);
+        test::expect_share(test::figure(outcome, "understeer gradient " + at_a), theory, 0.02, at_a);
+        test::expect_share(test::figure(outcome, "understeer gradient of the wheels " + at_a), theory / ratio, 0.02,
+                           "wheels " + at_a);
     }
     EXPECT_TRUE(std::isnan(test::figure(outcome, "understeer gradient at 6 m/s^2"))) << "not driven";
 }

@@ -217,8 +217,8 @@ TEST(Validity, LeavingTheMeasuredRoadIsTold) {
 
 TEST(RoadArea, IsThatOfTheFileUnlessItRepeatsItself) {
     auto crg = std::make_shared<CrgDescription>();
-    crg->u_increment = 1, crg->v = {-2, 0, 2};
-    crg->heights.assign(11 * 3, 0.0);
+    crg->u_increment = 1, crg->v = {-2, 0, 2};  // 11 rows of 3
+    crg->heights.assign(33, 0.0);
     RoadDescription road;
     EXPECT_FALSE(RoadArea(road).is_limited());
     road.crg = crg;
