@@ -6,17 +6,14 @@
 
 #include "hamilcar/io/file_kind.hpp"
 #include "hamilcar/io/set_key.hpp"
+#include "hamilcar/io/shipped.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 #include "hamilcar/io/whole_file.hpp"
 
 namespace hamilcar::cli {
 
 std::string shipped_file(const std::string& name) {
-    for (const std::string& folder :
-         {std::string("."), std::string(HAMILCAR_SOURCE_DATA), std::string(HAMILCAR_INSTALLED_DATA)}) {
-        const std::string path = fmt::format("{}/{}", folder, name);
-        if (std::filesystem::exists(path)) return path;
-    }
+    if (const auto path = io::find_shipped(name)) return *path;
     throw io::Error(io::ExitCode::input_output,
                     name + ": not found here, in the source or where hamilcar is installed");
 }

@@ -113,15 +113,16 @@ void check_composition(const TableReader& axle, const Composition& composition, 
 
 SuspensionWheelDescription read_left_wheel(const TableReader& axle, const NamedTires& tires,
                                            const Composition& composition) {
-    const TableReader wheel = axle.table("wheel");
+    const TableReader table = axle.table("wheel");
+    const WheelDescription wheel = read_wheel(table);
     return {.name = axle.text("name") + "_left",
             .part = composition.carriers[0],
-            .wheel = read_wheel(wheel),
-            .dual_spacing = wheel.number("dual_spacing_m", positive, 0),
+            .wheel = wheel,
+            .dual_spacing = table.number("dual_spacing_m", positive, 0),
             .bump = read_stop(axle.optional_table("bump_stop")),
             .rebound = read_stop(axle.optional_table("rebound_stop")),
             .tire = tire_of(axle, tires),
-            .brake = read_brake(axle.optional_table("brake")),
+            .brake = read_brake(axle.optional_table("brake"), wheel),
             .drive_share = axle.number("drive_share", fraction, 0) / 2,
             .drive_reaction = composition.drive_reaction};
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "hamilcar/io/choices.hpp"
+#include "hamilcar/io/default_values.hpp"
 #include "hamilcar/io/spelling.hpp"
 
 namespace hamilcar::io {
@@ -33,7 +34,7 @@ void read_lock(const TableReader& table, DifferentialDescription& to) {
     }
 }
 
-DifferentialDescription read_differential(const TableReader& table) {
+DifferentialDescription read_differential(const TableReader& table, double chassis_mass) {
     constexpr std::string_view kinds[] = {"open", "locked", "limited_slip", "torque_biasing", "viscous"};
     DifferentialDescription out;
     out.name = table.text("name");
@@ -43,7 +44,8 @@ DifferentialDescription read_differential(const TableReader& table) {
     });
     out.ratio = table.number("ratio", positive, 1);
     out.share = table.number("torque_share", fraction, out.share);
-    out.shaft_stiffness = table.number("shaft_stiffness_N_m_per_rad", positive);
+    out.shaft_stiffness =
+        table.number_or_else("shaft_stiffness_N_m_per_rad", positive, default_shaft_stiffness(chassis_mass));
     out.damping_ratio = table.number("damping_ratio", not_negative, out.damping_ratio);
     return out;
 }
@@ -122,7 +124,7 @@ std::vector<TableReader> read_differentials(const TableReader& file, VehicleDesc
     std::vector<Entry> entries;
     for (const TableReader& table : file.tables("differential")) {
         check_name(table, taken, "differential or wheel");
-        entries.push_back({table, read_differential(table)});
+        entries.push_back({table, read_differential(table, vehicle.chassis.mass)});
         if (file.is_recording()) static_cast<void>(table.texts("outputs"));
     }
     if (file.is_recording()) return {};

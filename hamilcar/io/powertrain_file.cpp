@@ -9,6 +9,7 @@
 #include "hamilcar/base/units.hpp"
 #include "hamilcar/driveline/source.hpp"
 #include "hamilcar/io/choices.hpp"
+#include "hamilcar/io/default_values.hpp"
 #include "hamilcar/io/spelling.hpp"
 
 namespace hamilcar::io {
@@ -74,8 +75,9 @@ void check_starting(const TableReader& table, const EngineDescription& engine) {
 
 EngineDescription read_engine(const TableReader& table) {
     constexpr Range not_positive{"number not above zero", -std::numeric_limits<double>::infinity(), 0};
-    const Samples overrun = table.samples("speed_rpm", "overrun_N_m", not_positive);
     const Samples full = table.samples("speed_rpm", "full_load_N_m", any_number);
+    Samples overrun{full.argument, default_overrun(full.argument, std::ranges::max(full.value))};
+    if (table.has("overrun_N_m")) overrun = table.samples("speed_rpm", "overrun_N_m", not_positive);
     expect_points(table, "speed_rpm", full.argument.size());
     table.expect(full.argument[0] >= 0, "speed_rpm", "speeds not below zero");
     for (std::size_t i = 0; i < full.value.size(); ++i) {
@@ -154,9 +156,6 @@ GearboxDescription read_gearbox(const std::optional<TableReader>& table) {
     constexpr Range efficiency{"number above 0, 1 at most", 0, 1, false};
     GearboxDescription gearbox;
     if (!table) return gearbox;
-    const auto or_else = [&](std::string_view key, double fallback) {
-        return table->has(key) ? table->number(key, not_negative) : fallback;
-    };
     gearbox.ratios = table->numbers("ratios", positive);
     table->expect(gearbox.ratios.size() <= std::size_t{max_gears}, "ratios",
                   std::to_string(max_gears) + " gears at most");
@@ -167,9 +166,10 @@ GearboxDescription read_gearbox(const std::optional<TableReader>& table) {
     gearbox.automatic = word<bool>(*table, "shift", {{"manual", false}, {"automatic", true}});
     gearbox.shift_time = table->number("shift_time_s", not_negative, gearbox.shift_time);
     gearbox.upshift_speed = table->number("upshift_rpm", not_negative, 0);
-    gearbox.upshift_speed_closed = or_else("upshift_closed_rpm", gearbox.upshift_speed);
+    gearbox.upshift_speed_closed = table->number_or_else("upshift_closed_rpm", not_negative, gearbox.upshift_speed);
     gearbox.downshift_speed = table->number("downshift_rpm", not_negative, 0);
-    gearbox.downshift_speed_closed = or_else("downshift_closed_rpm", gearbox.downshift_speed);
+    gearbox.downshift_speed_closed =
+        table->number_or_else("downshift_closed_rpm", not_negative, gearbox.downshift_speed);
     check_shifts(*table, gearbox);
     return gearbox;
 }
@@ -204,16 +204,26 @@ std::size_t read_output(const TableReader& unit, const VehicleDescription& vehic
     return static_cast<std::size_t>(found - names.begin());
 }
 
+// What goes with the largest torque where the file does not tell it.
+void read_by_torque(const TableReader& table, PowerUnitDescription& unit) {
+    double torque = 0, inertia = 0;
+    if (const auto* engine = std::get_if<EngineDescription>(&unit.source)) {
+        torque = std::ranges::max(engine->torque.back().torque), inertia = default_engine_inertia(torque);
+    } else {
+        torque = std::get<MotorDescription>(unit.source).max_torque, inertia = default_motor_inertia(torque);
+    }
+    unit.inertia = table.number_or_else("inertia_kg_m2", positive, inertia);
+    unit.stiffness = table.number_or_else("stiffness_N_m_per_rad", positive, default_unit_stiffness(torque));
+}
+
 PowerUnitDescription read_power_unit(const TableReader& table, const VehicleDescription& vehicle) {
     PowerUnitDescription unit;
     unit.name = table.text("name");
-    unit.inertia = table.number("inertia_kg_m2", positive);
     unit.axis = table.direction("axis", unit.axis);
     constexpr double min_response_time = 0.005;  // that explicit steps can follow [s]
     unit.response_time = table.number("response_time_s", not_negative, 0);
     table.expect(unit.response_time == 0 || unit.response_time >= min_response_time, "response_time_s",
                  "0, at once, or a number not below 0.005");
-    unit.stiffness = table.number("stiffness_N_m_per_rad", positive);
     unit.damping_ratio = table.number("damping_ratio", not_negative, 0.1);
     unit.output = read_output(table, vehicle);
     table.choose({{"engine"}, {"motor"}}, [&](std::size_t group) {
@@ -223,6 +233,7 @@ PowerUnitDescription read_power_unit(const TableReader& table, const VehicleDesc
             unit.source = read_motor(table.table("motor"));
         }
     });
+    read_by_torque(table, unit);
     unit.coupling = read_coupling(table);
     unit.gearbox = read_gearbox(table.optional_table("gearbox"));
     check_limit(table, unit);

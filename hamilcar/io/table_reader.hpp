@@ -81,6 +81,10 @@ public:
 
     double number(std::string_view key, const Range& range) const;
     double number(std::string_view key, const Range& range, double fallback) const;
+    // Where the key is left out, what follows from others: no constant that a schema could tell.
+    double number_or_else(std::string_view key, const Range& range, double otherwise) const {
+        return has(key) ? number(key, range) : otherwise;
+    }
     // Nothing where the word stands in the number's place.
     std::optional<double> number_or(std::string_view word, std::string_view key, const Range& range) const;
     bool boolean(std::string_view key, bool fallback) const;

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "hamilcar/base/text.hpp"
 #include "hamilcar/io/choices.hpp"
+#include "hamilcar/io/shipped.hpp"
 #include "hamilcar/io/tir_file.hpp"
 #include "hamilcar/tire/list.hpp"
 
@@ -46,8 +49,25 @@ std::optional<double> read_override(const TableReader& tire, std::string_view ke
     return tire.has(key) ? std::optional(tire.number(key, positive)) : std::nullopt;
 }
 
+// Beside the file that names it, or by its name alone among the tires that come with hamilcar.
+std::string property_file(const TableReader& tire) {
+    const std::string path = tire.path_to_file("file"), name = tire.text("file");
+    const bool has_folder = name.find('/') != std::string::npos;
+    if (tire.is_recording() || has_folder || std::filesystem::exists(path)) return path;
+    const auto folder = find_shipped("vehicles/tires");
+    std::string known;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.value_or("."))) {
+        const std::string stem = entry.path().stem().string(), file = entry.path().filename().string();
+        if (!folder || entry.path().extension() != ".tir") continue;
+        if (name == stem || name == file) return entry.path().string();
+        known += " '" + stem + "'";
+    }
+    tire.expect(false, "file", "a file that is there (" + path + " is not), or a shipped tire:" + known);
+    return path;
+}
+
 TireDescription read_magic_formula(const TableReader& tire) {
-    const std::string path = tire.path_to_file("file");
+    const std::string path = property_file(tire);
     const TirOverrides overrides{.radius = read_override(tire, "radius_m"),
                                  .rolling_radius = read_override(tire, "rolling_radius_m"),
                                  .vertical_stiffness = read_override(tire, "vertical_stiffness_N_per_m"),

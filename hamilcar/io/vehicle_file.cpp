@@ -10,6 +10,7 @@
 #include "hamilcar/block/preload.hpp"
 #include "hamilcar/io/bodywork_file.hpp"
 #include "hamilcar/io/choices.hpp"
+#include "hamilcar/io/default_values.hpp"
 #include "hamilcar/io/every_mistake.hpp"
 #include "hamilcar/io/file_kind.hpp"
 #include "hamilcar/io/vehicle_tables.hpp"
@@ -60,7 +61,7 @@ AerodynamicsDescription read_aerodynamics(const std::optional<TableReader>& tabl
          {"drag_coefficient", "frontal_area_m2", "lift_coefficient_front", "lift_coefficient_rear",
           "side_force_coefficient", "yaw_moment_coefficient", "reference_length_m"}},
         [&](std::size_t group) { (group == 1 ? read_air_coefficients : read_air_areas)(*table, air); });
-    air.air_density = table->number("air_density_kg_per_m3", not_negative);
+    air.air_density = table->number("air_density_kg_per_m3", not_negative, default_air_density);
     air.center = table->array<3>("center_m", air.center);
     air.lift_place = table->array<2>("lift_places_m", end_axles(vehicle));
     return air;

@@ -23,7 +23,7 @@ bool has_room_for(const BodyDescription& body, const std::vector<std::pair<doubl
 WheelDescription read_wheel(const TableReader& wheel);
 DamperDescription read_damper(const TableReader& damper);
 StopDescription read_stop(const std::optional<TableReader>& stop);
-BrakeDescription read_brake(const std::optional<TableReader>& brake);
+BrakeDescription read_brake(const std::optional<TableReader>& brake, const WheelDescription& wheel);
 
 // All tables [tire.NAME] of a file, as they are on the left side of the vehicle, and the one that an axle names. A new model
 // is one function that reads its keys and one line in a list.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hamilcar/force/axial.hpp"
+#include "hamilcar/io/default_values.hpp"
 
 namespace hamilcar::io {
 
@@ -75,11 +76,15 @@ StopDescription read_stop(const std::optional<TableReader>& stop) {
             stop->number("progression_N_per_m2", not_negative, 0)};
 }
 
-BrakeDescription read_brake(const std::optional<TableReader>& brake) {
+BrakeDescription read_brake(const std::optional<TableReader>& brake, const WheelDescription& wheel) {
     if (!brake) return {};
-    BrakeDescription out{brake->number("max_torque_N_m", not_negative),
-                         brake->number("windup_stiffness_N_m_per_rad", positive),
-                         brake->number("windup_damping_N_m_s_per_rad", not_negative)};
+    const double spins = wheel.spin_inertia;
+    BrakeDescription out;
+    out.max_torque = brake->number("max_torque_N_m", not_negative);
+    out.windup_stiffness =
+        brake->number_or_else("windup_stiffness_N_m_per_rad", positive, default_windup_stiffness(spins));
+    out.windup_damping = brake->number_or_else("windup_damping_N_m_s_per_rad", not_negative,
+                                               default_windup_damping(out.windup_stiffness, spins));
     if (const auto valve = brake->optional_table("valve")) {
         out.valve_command = valve->number("command", fraction);
         out.valve_slope = valve->number("slope", fraction);
