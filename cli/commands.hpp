@@ -8,15 +8,15 @@ namespace hamilcar::cli {
 
 using AddCommand = void(CommandList& list);
 
-AddCommand add_run, add_maneuvers, add_compare, add_study, add_drive, add_view, add_paper, add_bench, add_equilibrium,
-    add_kinematics, add_modes, add_check, add_channels, add_tire, add_road, add_program, add_schema, add_completion,
-    add_manual;
+AddCommand add_new, add_run, add_maneuvers, add_compare, add_study, add_drive, add_view, add_paper, add_bench,
+    add_equilibrium, add_kinematics, add_modes, add_check, add_channels, add_tire, add_road, add_program, add_schema,
+    add_completion, add_manual;
 
 // In the order of the help.
 inline constexpr AddCommand* add_commands[] = {
-    add_run,   add_maneuvers,   add_compare,    add_study,      add_drive,  add_view,     add_paper,
-    add_bench, add_equilibrium, add_kinematics, add_modes,      add_check,  add_channels, add_tire,
-    add_road,  add_program,     add_schema,     add_completion, add_manual,
+    add_new,   add_run,   add_maneuvers,   add_compare,    add_study,      add_drive,  add_view,
+    add_paper, add_bench, add_equilibrium, add_kinematics, add_modes,      add_check,  add_channels,
+    add_tire,  add_road,  add_program,     add_schema,     add_completion, add_manual,
 };
 
 }  // namespace hamilcar::cli

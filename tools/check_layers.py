@@ -21,7 +21,7 @@ LAYERS = [
     ["driver", "analysis"],
     ["engine"],
     ["io"],
-    ["run"],
+    ["run", "template"],
     ["batch", "maneuver"],
     ["live", "study"],
     ["bench"],

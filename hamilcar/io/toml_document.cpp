@@ -70,8 +70,7 @@ Node convert(toml::node& from, const std::shared_ptr<const SourceFile>& file) {
     return node;
 }
 
-Node parse(const Reference& from, int generation) {
-    const auto file = std::make_shared<const SourceFile>(SourceFile{from.path, read_text(from), generation});
+Node parse(const std::shared_ptr<const SourceFile>& file) {
     if (const auto place = too_deep(file->text)) {
         fail_at(*file, *place,
                 "nested too deep: expected keys of at most " + std::to_string(max_key_parts) + " parts and at most " +
@@ -83,6 +82,10 @@ Node parse(const Reference& from, int generation) {
     } catch (const toml::parse_error& error) {
         fail_at(*file, position_of(error.source().begin), "not valid TOML: " + std::string(error.description()));
     }
+}
+
+Node parse(const Reference& from, int generation) {
+    return parse(std::make_shared<const SourceFile>(SourceFile{from.path, read_text(from), generation}));
 }
 
 // With all that is below it.
@@ -208,6 +211,10 @@ std::string Node::written() const {
         if (quote.size() > max_quote_length && begins_character(c)) return quote.substr(0, quote.size() - 1) + "...";
     }
     return quote;
+}
+
+Node parse_toml(const std::string& name, const std::string& text) {
+    return parse(std::make_shared<const SourceFile>(SourceFile{name, text}));
 }
 
 Node read_toml(const std::string& path) {

@@ -50,6 +50,8 @@ struct Node {
 
 // Throws Error: input_output if a file cannot be read, bad_file if it is no valid TOML or its bases form a circle.
 Node read_toml(const std::string& path);
+// Of a text that is in no file yet and has no base; `name` stands in messages.
+Node parse_toml(const std::string& name, const std::string& text);
 
 // What a person typed in a value's place, as TOML has it; what is no TOML is a text. `where` names the place in messages.
 Node typed_value(const std::string& where, const std::string& text);

@@ -125,6 +125,17 @@ std::vector<HardpointKey> with_steering(std::vector<HardpointKey> keys) {
     return keys;
 }
 
+// And the points there, of a front axle, the drag link beside a Panhard rod.
+std::map<std::string_view, Point> with_steering_points(std::map<std::string_view, Point> points) {
+    points.insert({{"kingpin_lower_m", {0.005, 0.673, 0.212}},
+                   {"kingpin_upper_m", {-0.005, 0.646, 0.386}},
+                   {"tie_rod_m", {-0.134, 0.626, 0.275}},
+                   {"drag_link_body_m", {0.142, -0.434, 0.39}},
+                   {"drag_link_knuckle_m", {0.134, 0.626, 0.345}},
+                   {"rack_axis", {0, 1, 0}}});
+    return points;
+}
+
 const HardpointKey lower_body{"lower_body_m", point, "left lower link, end on the chassis"};
 const HardpointKey lower_axle{"lower_axle_m", point, "left lower link, end on the axle"};
 const HardpointKey upper_body{"upper_body_m", point, "upper link, end on the chassis"};
@@ -141,19 +152,34 @@ const Recipe four_link_axle_recipe{
                            {"upper_body_m", point, "left upper link, end on the chassis"},
                            {"upper_axle_m", point, "left upper link, end on the axle"}}),
     .spring_part = "axle",
-    .compose = four_link};
+    .compose = four_link,
+    .typical = {.points = with_steering_points({{"lower_body_m", {0.663, 0.454, 0.291}},
+                                                {"lower_axle_m", {0.035, 0.474, 0.267}},
+                                                {"upper_body_m", {0.427, 0.384, 0.495}},
+                                                {"upper_axle_m", {0.019, 0.05, 0.448}}}),
+                .spring = {{{-0.005, 0.474, 0.354}, {-0.005, 0.474, 0.605}}},
+                .damper = {{{-0.075, 0.505, 0.299}, {0.035, 0.434, 0.66}}}}};
 
-const Recipe panhard_axle_recipe{.keyword = "panhard_axle",
-                                 .title = "Solid axle on three links with Panhard rod",
-                                 .two_wheels = true,
-                                 .keys = with_steering({lower_body,
-                                                        lower_axle,
-                                                        upper_body,
-                                                        upper_axle,
-                                                        {"panhard_body_m", point, "Panhard rod, end on the chassis"},
-                                                        {"panhard_axle_m", point, "Panhard rod, end on the axle"}}),
-                                 .spring_part = "axle",
-                                 .compose = panhard};
+const Recipe panhard_axle_recipe{
+    .keyword = "panhard_axle",
+    .title = "Solid axle on three links with Panhard rod",
+    .two_wheels = true,
+    .keys = with_steering({lower_body,
+                           lower_axle,
+                           upper_body,
+                           upper_axle,
+                           {"panhard_body_m", point, "Panhard rod, end on the chassis"},
+                           {"panhard_axle_m", point, "Panhard rod, end on the axle"}}),
+    .spring_part = "axle",
+    .compose = panhard,
+    .typical = {.points = with_steering_points({{"lower_body_m", {0.669, 0.404, 0.315}},
+                                                {"lower_axle_m", {0.031, 0.434, 0.275}},
+                                                {"upper_body_m", {0.59, 0, 0.441}},
+                                                {"upper_axle_m", {0.016, 0, 0.401}},
+                                                {"panhard_body_m", {-0.087, -0.485, 0.393}},
+                                                {"panhard_axle_m", {-0.087, 0.464, 0.354}}}),
+                .spring = {{{0, 0.434, 0.346}, {0, 0.434, 0.598}}},
+                .damper = {{{0, 0.434, 0.331}, {0, 0.434, 0.677}}}}};
 
 const Recipe watt_axle_recipe{
     .keyword = "watt_axle",
@@ -170,7 +196,18 @@ const Recipe watt_axle_recipe{
                            {"watt_right_crank_m", point, "right rod, end on the bell crank"},
                            {"watt_right_body_m", point, "right rod, end on the chassis"}}),
     .spring_part = "axle",
-    .compose = watt};
+    .compose = watt,
+    .typical = {.points = with_steering_points({{"lower_body_m", {0.589, 0.458, 0.332}},
+                                                {"lower_axle_m", {0.054, 0.479, 0.246}},
+                                                {"upper_body_m", {0.375, 0, 0.504}},
+                                                {"upper_axle_m", {0.032, 0, 0.461}},
+                                                {"watt_pivot_m", {-0.15, 0, 0.3}},
+                                                {"watt_left_crank_m", {-0.15, 0, 0.386}},
+                                                {"watt_left_body_m", {-0.15, 0.5, 0.386}},
+                                                {"watt_right_crank_m", {-0.15, 0, 0.214}},
+                                                {"watt_right_body_m", {-0.15, -0.5, 0.214}}}),
+                .spring = {{{0, 0.521, 0.354}, {0, 0.521, 0.632}}},
+                .damper = {{{-0.086, 0.542, 0.246}, {-0.043, 0.479, 0.675}}}}};
 
 const Recipe leaf_axle_recipe{
     .keyword = "leaf_axle",
@@ -180,7 +217,10 @@ const Recipe leaf_axle_recipe{
                            {"seat_m", point, "left leaf, seat on the axle"},
                            {"link_share", HardpointKind::number, "equivalent link over eye to seat", {0.75}}}),
     .spring_part = "axle",
-    .compose = leaf};
+    .compose = leaf,
+    .typical = {.points = with_steering_points({{"front_eye_m", {0.57, 0.502, 0.335}}, {"seat_m", {0, 0.502, 0.359}}}),
+                .spring = {{{0, 0.502, 0.359}, {0, 0.502, 0.604}}},
+                .damper = {{{-0.059, 0.441, 0.237}, {-0.116, 0.37, 0.596}}}}};
 
 const Recipe twist_beam_recipe{
     .keyword = "twist_beam",
@@ -189,6 +229,9 @@ const Recipe twist_beam_recipe{
     .keys = {{"bush_m", point, "left bush on the chassis"},
              {"beam_m", point, "a point of the beam's shear center line; its middle is taken"}},
     .spring_part = "carrier",
-    .compose = twist_beam};
+    .compose = twist_beam,
+    .typical = {.points = {{"bush_m", {0.415, 0.553, 0.325}}, {"beam_m", {0.276, 0, 0.324}}},
+                .spring = {{{0.03, 0.469, 0.27}, {0.044, 0.469, 0.497}}},
+                .damper = {{{-0.079, 0.543, 0.27}, {-0.044, 0.528, 0.695}}}}};
 
 }  // namespace hamilcar

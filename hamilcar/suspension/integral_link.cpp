@@ -41,6 +41,17 @@ const Recipe integral_link_recipe{
          {"steered", HardpointKind::flag, "whether the rack moves the toe link's inner end", {0}},
          {"rack_axis", HardpointKind::direction, "in which a positive rack displacement moves that end", {0, 1, 0}}},
     .spring_part = "lower_arm",
-    .compose = integral_link};
+    .compose = integral_link,
+    .typical = {.points = {{"arm_front_m", {0.289, 0.266, 0.225}},
+                           {"arm_rear_m", {-0.171, 0.296, 0.204}},
+                           {"arm_ball_m", {-0.086, 0.651, 0.182}},
+                           {"integral_link_arm_m", {0.182, 0.612, 0.214}},
+                           {"integral_link_carrier_m", {0.161, 0.641, 0.354}},
+                           {"camber_link_body_m", {-0.021, 0.375, 0.493}},
+                           {"camber_link_carrier_m", {0.021, 0.641, 0.471}},
+                           {"toe_link_body_m", {-0.236, 0.326, 0.246}},
+                           {"toe_link_carrier_m", {-0.214, 0.671, 0.236}}},
+                .spring = {{{0.043, 0.513, 0.236}, {0.043, 0.493, 0.536}}},
+                .damper = {{{0.086, 0.572, 0.214}, {0.107, 0.513, 0.664}}}}};
 
 }  // namespace hamilcar

@@ -97,6 +97,18 @@ struct Composition {
     }
 };
 
+// An axle as it usually is, to start a vehicle from: estimates on the layout of shipped vehicles. The left side, its wheel center
+// at (0, 0.75, 0.3); a solid axle's as a rear axle, but for the points of its steering. No ends where the suspension itself says
+// where [axle.spring] and [axle.damper] act; a rack_axis where it is steered as it stands.
+struct TypicalAxle {
+    struct Ends {
+        Point at{}, body{};
+    };
+    static constexpr Point wheel_center{0, 0.75, 0.3};
+    std::map<std::string_view, Point> points;
+    std::optional<Ends> spring, damper;
+};
+
 struct Recipe {
     std::string_view keyword;
     std::string_view title;
@@ -106,6 +118,7 @@ struct Recipe {
     bool may_have_rocker = false;
     std::vector<std::array<std::string_view, 2>> distinct_points{};  // pairs of keys whose points must differ
     Composition (*compose)(const Hardpoints&) = nullptr;             // of the left side, or of both wheels
+    TypicalAxle typical{};
 };
 
 // Every recipe; a new one is one file and its name here and in recipes.cpp.
