@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "hamilcar/base/text.hpp"
 #include "hamilcar/base/units.hpp"
 
 namespace hamilcar::cli {
@@ -90,8 +91,7 @@ std::string text_of(const SuspensionReport& report) {
 // A number with its unit; a dash where it is none.
 std::string shown(double value, int digits, const char* unit) {
     if (std::isnan(value)) return "-";
-    const bool is_zero = std::abs(value) < 0.5 * std::pow(10, -digits);  // not "-0.0"
-    return fmt::format("{:.{}f} {}", is_zero ? 0 : value, digits, unit);
+    return fmt::format("{} {}", fixed_text(value, digits), unit);
 }
 
 std::string axle_table(const std::vector<StandingAxle>& axles) {

@@ -55,12 +55,12 @@ void print_comparison(const Comparison& comparison) {
     for (const Comparison::Row& row : comparison.figures) width = std::max(width, row.name.size());
     fmt::print("\n  {:<{}}  {:<12}", "", width, "unit");
     for (std::size_t i = 0; i < comparison.labels.size(); ++i) fmt::print("{:>11}", i + 1);
-    for (std::size_t i = 1; i < comparison.labels.size(); ++i) fmt::print("{:>11}", fmt::format("{} - 1", i + 1));
+    for (std::size_t i = 1; i < comparison.labels.size(); ++i) fmt::print("{:>13}", fmt::format("{} - 1", i + 1));
     fmt::print("\n");
     for (const Comparison::Row& row : comparison.figures) {
         fmt::print("  {:<{}}  {:<12}", row.name, width, row.unit);
         for (const double value : row.values) fmt::print("{:>11}", value_text(value));
-        for (std::size_t i = 1; i < row.values.size(); ++i) fmt::print("{:>11}", value_text(row.difference(i)));
+        for (std::size_t i = 1; i < row.values.size(); ++i) fmt::print("{:>13}", value_text(row.difference(i)));
         fmt::print("\n");
     }
     for (const Comparison::Judged& row : comparison.verdicts) {

@@ -9,6 +9,7 @@
 #include "files.hpp"
 #include "hamilcar/analysis/kinematics.hpp"
 #include "hamilcar/analysis/no_solution.hpp"
+#include "hamilcar/base/text.hpp"
 #include "hamilcar/base/units.hpp"
 #include "hamilcar/io/csv.hpp"
 #include "hamilcar/io/json_text.hpp"
@@ -174,7 +175,7 @@ double gain(const AxleReport& axle, double WheelFigures::*member) {
 void print_report(const AxleReport& axle) {
     const WheelFigures& f = axle.design.left;
     const auto line = [](const char* name, double value, const char* unit, int digits) {
-        if (std::isfinite(value)) fmt::print("  {:<34}{:>10.{}f} {}\n", name, value, digits, unit);
+        if (std::isfinite(value)) fmt::print("  {:<34}{:>10} {}\n", name, fixed_text(value, digits), unit);
     };
     fmt::print("{}\n", axle.name);
     line("toe-in", f.toe / degree, "deg", 3), line("camber", f.camber / degree, "deg", 3);

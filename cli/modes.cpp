@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "files.hpp"
 #include "hamilcar/analysis/modes.hpp"
+#include "hamilcar/base/text.hpp"
 #include "hamilcar/base/units.hpp"
 #include "hamilcar/io/csv.hpp"
 #include "hamilcar/io/json_text.hpp"
@@ -64,7 +65,7 @@ void print_point(const OperatingPoint& at, const LinearModel& model, const Opera
                  const VehicleDescription& vehicle) {
     fmt::print("{} {}\n", vehicle.name, describe(options));
     fmt::print("  residual            {:.1e} N or N m unbalanced\n", at.residual);
-    fmt::print("  roll, pitch         {:.3f}, {:.3f} deg\n", at.z[1] / degree, at.z[2] / degree);
+    fmt::print("  roll, pitch         {}, {} deg\n", fixed_text(at.z[1] / degree, 3), fixed_text(at.z[2] / degree, 3));
     if (options.speed != 0) {
         fmt::print("  rack                {:.3f} mm\n  drive torque        {:.1f} N m\n",
                    1e3 * at.input.rack.displacement, at.input.drive_torque);

@@ -8,6 +8,7 @@
 
 #include "hamilcar/io/checksum.hpp"
 #include "hamilcar/io/error.hpp"
+#include "hamilcar/io/shipped.hpp"
 #include "hamilcar/io/whole_file.hpp"
 #include "hamilcar/run/run_loop.hpp"
 
@@ -41,7 +42,8 @@ void add_node(io::Checksum& sum, const io::Node& node) {
     if (const auto* truth = std::get_if<bool>(&node.value)) add_number(sum, *truth);
     if (const auto* text = std::get_if<std::string>(&node.value)) {
         if (names_file(node)) {
-            add_file(sum, std::filesystem::path(node.file->path).parent_path() / *text);
+            const std::filesystem::path path = std::filesystem::path(node.file->path).parent_path() / *text;
+            add_file(sum, io::find_tire(path, *text).value_or(path));
         } else {
             add_text(sum, *text);
         }

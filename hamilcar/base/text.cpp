@@ -1,5 +1,7 @@
 #include "hamilcar/base/text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -63,6 +65,11 @@ void append_number(std::string& text, double number) {
 std::string number_text(double number) {
     char digits[32];
     return {digits, std::to_chars(digits, digits + sizeof digits, number, std::chars_format::general, 6).ptr};
+}
+
+std::string fixed_text(double number, int digits) {
+    const bool is_zero = std::abs(number) < 0.5 * std::pow(10, -digits);
+    return fmt::format("{:.{}f}", is_zero ? 0 : number, digits);
 }
 
 double without_round_off(double number, double size) {

@@ -21,6 +21,8 @@ std::optional<double> number_in(std::string_view text);
 void append_number(std::string& text, double number);
 // Six digits at most.
 std::string number_text(double number);
+// So many digits behind the point, and "0.0" for what rounds to zero from below.
+std::string fixed_text(double number, int digits);
 
 // What is this much less than its like, or than one of its unit, is nothing but the round-off of a calculation: people are shown 0.
 inline constexpr double round_off = 1e-12;

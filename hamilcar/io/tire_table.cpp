@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "hamilcar/base/text.hpp"
 #include "hamilcar/io/choices.hpp"
 #include "hamilcar/io/shipped.hpp"
@@ -52,18 +50,12 @@ std::optional<double> read_override(const TableReader& tire, std::string_view ke
 // Beside the file that names it, or by its name alone among the tires that come with hamilcar.
 std::string property_file(const TableReader& tire) {
     const std::string path = tire.path_to_file("file"), name = tire.text("file");
-    const bool has_folder = name.find('/') != std::string::npos;
-    if (tire.is_recording() || has_folder || std::filesystem::exists(path)) return path;
-    const auto folder = find_shipped("vehicles/tires");
+    if (tire.is_recording() || name.find('/') != std::string::npos) return path;
+    const auto found = find_tire(path, name);
     std::string known;
-    for (const auto& entry : std::filesystem::directory_iterator(folder.value_or("."))) {
-        const std::string stem = entry.path().stem().string(), file = entry.path().filename().string();
-        if (!folder || entry.path().extension() != ".tir") continue;
-        if (name == stem || name == file) return entry.path().string();
-        known += " '" + stem + "'";
-    }
-    tire.expect(false, "file", "a file that is there (" + path + " is not), or a shipped tire:" + known);
-    return path;
+    for (const std::string& shipped : shipped_tires()) known += " '" + shipped + "'";
+    tire.expect(found.has_value(), "file", "a file that is there (" + path + " is not), or a shipped tire:" + known);
+    return *found;
 }
 
 TireDescription read_magic_formula(const TableReader& tire) {

@@ -56,7 +56,8 @@ void add_lock_order(TestRun& test, const braking::Stop& stop) {
     if (is_heavy(test.vehicle)) return;  // of these UN R13 asks something else, with an anti-lock system
     test.verdict("under a slow pedal no rear axle locks before the front axle (UN R13-H annex 5, FMVSS 135 S7.2)",
                  std::isnan(rear) || front <= rear + simultaneous,
-                 fmt::format("front {}, rear {}", spoken(front), spoken(rear)));
+                 fmt::format("front {}, rear {}{}", spoken(front), spoken(rear),
+                             front > rear && front <= rear + simultaneous ? ": within 0.1 s, at once" : ""));
 }
 
 void add_verdicts(TestRun& test, const braking::Stop& stop) {

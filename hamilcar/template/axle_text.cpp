@@ -70,8 +70,8 @@ std::string stop_text(const std::string& table, double gap, double rate, double 
 }
 
 std::string brake_text(const AxleSizes& axle) {
-    return "\n[axle.brake]\n" +
-           line("max_torque_N_m", number(axle.brake_torque), "[E] 1.6 times what 1 g takes, by the axle loads at that");
+    return "\n[axle.brake]\n" + line("max_torque_N_m", number(axle.brake_torque),
+                                     "[E] 1.6 times what 1 g takes, by the axle loads at 1.1 g");
 }
 
 }  // namespace

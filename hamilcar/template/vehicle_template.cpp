@@ -23,8 +23,8 @@ AxleSizes axle_before_kinematics(const VehicleSizes& sizes, bool is_front) {
     axle.spin_inertia = 0.0078 * v.mass * v.tire_radius * v.tire_radius;
     const double radius = v.tire_radius - sizes.load(axle) / sizes.tire_stiffness;
     axle.wheel = {is_front ? 0 : -v.wheelbase, (is_front ? v.front_track : v.rear_track) / 2, radius};
-    // What 1 g moves forward would lift the rear: nine tenths of it.
-    const double front_share = v.front_load + 0.9 * v.center_height / v.wheelbase;
+    // By the loads at 1.1 g: up to there the front axle locks first.
+    const double front_share = v.front_load + 1.1 * v.center_height / v.wheelbase;
     const double share = std::clamp(is_front ? front_share : 1 - front_share, 0.15, 0.85);
     axle.brake_torque = 1.6 * share * v.mass * gravity * radius / 2;
     const DrivenWheels driven = sizes.request->drive;

@@ -32,6 +32,14 @@ TEST(NumberAsText, ReadsBackToTheSameBits) {
     EXPECT_EQ(number_text(1.0 / 3), "0.333333");
 }
 
+TEST(FixedText, HasNoMinusBeforeZero) {
+    EXPECT_EQ(fixed_text(-0.0004, 3), "0.000");
+    EXPECT_EQ(fixed_text(-0.0006, 3), "-0.001");
+    EXPECT_EQ(fixed_text(-0.0, 1), "0.0");
+    EXPECT_EQ(fixed_text(12.345, 1), "12.3");
+    EXPECT_EQ(fixed_text(-7, 0), "-7");
+}
+
 TEST(Quoted, IsShortAndHasNothingThatATerminalObeys) {
     EXPECT_EQ(quoted_text("abc"), "'abc'");
     EXPECT_EQ(quoted_text("\x1b]0;x\x07"), "'?]0;x?'");
