@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -11,6 +10,7 @@
 
 #include "command.hpp"
 #include "commands.hpp"
+#include "event_report.hpp"
 #include "hamilcar/analysis/no_solution.hpp"
 #include "hamilcar/engine/engines.hpp"
 #include "interrupt.hpp"
@@ -46,13 +46,17 @@ ExitCode run_command(int argc, char** argv) {
         "6 internal error, 130 interrupted",
         version);
     std::string engine;
-    bool quiet = false;
+    bool quiet = false, verbose = false;
     list.add("--engine", engine, "what runs the equations, of those that --version lists [the fastest]")
         .suggest(engine_names());
     list.add("-q,--quiet", quiet, "print nothing but errors");
+    list.add("-v,--verbose", verbose, "tell on standard error what is read, compiled and spent");
     for (cli::AddCommand* add : cli::add_commands) add(list);
     ExitCode code = ExitCode::ok;
     if (!list.parse(argc, argv, code)) return code;
+    if (quiet && verbose)
+        throw hamilcar::io::Error(ExitCode::usage, "--quiet: expected either this or --verbose, not both");
+    const cli::EventReport events(verbose);
     if (quiet) {
         cli::hide_progress();
         if (!std::freopen("/dev/null", "w", stdout)) return ExitCode::input_output;
@@ -66,31 +70,24 @@ ExitCode run_command(int argc, char** argv) {
     return list.run();
 }
 
-// Names out of files may hold anything; what a terminal would obey is shown as '?'.
-void report(std::string message) {
-    std::ranges::replace_if(
-        message, [](char c) { return (c >= 0 && c < ' ' && c != '\n') || c == '\x7f'; }, '?');
-    std::fputs(("hamilcar: " + message + "\n").c_str(), stderr);  // which may be full, too: nothing throws here
-}
-
 // Every way that a command can end has its exit code; that of a criterion that was not met is none of them.
 ExitCode guarded(int argc, char** argv) {
     try {
         return run_command(argc, argv);
     } catch (const hamilcar::io::Error& error) {
-        report(error.what());
+        cli::tell(error.what());
         return error.code();
     } catch (const hamilcar::NoSolution& missing) {
-        report(missing.what());
+        cli::tell(missing.what());
         return ExitCode::numerical;
     } catch (const std::bad_alloc&) {
-        report("out of memory");
+        cli::tell("out of memory");
         return ExitCode::input_output;
     } catch (const std::system_error& error) {
-        if (std::ferror(stdout) == 0) report(error.what());  // else it is said once all is over
+        if (std::ferror(stdout) == 0) cli::tell(error.what());  // else it is said once all is over
         return ExitCode::input_output;
     } catch (const std::exception& error) {
-        report(fmt::format("internal error, a fault of hamilcar's own; please report it: {}", error.what()));
+        cli::tell(fmt::format("internal error, a fault of hamilcar's own; please report it: {}", error.what()));
         return ExitCode::internal;
     }
 }
@@ -99,11 +96,11 @@ ExitCode guarded(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     if (!cli::take_standard_streams()) {
-        report("standard output is closed: expected a terminal, a file, a pipe or /dev/null");
+        cli::tell("standard output is closed: expected a terminal, a file, a pipe or /dev/null");
         return static_cast<int>(ExitCode::input_output);
     }
     const ExitCode code = guarded(argc, argv);
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return static_cast<int>(code);
-    report(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
+    cli::tell(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
     return static_cast<int>(code > ExitCode::failed ? code : ExitCode::input_output);
 }

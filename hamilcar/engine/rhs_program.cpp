@@ -1,11 +1,15 @@
 #include "hamilcar/engine/rhs_program.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <list>
 #include <mutex>
 #include <stdexcept>
 
+#include "hamilcar/base/event_log.hpp"
 #include "hamilcar/program/pass.hpp"
 #include "hamilcar/road/traced_ground.hpp"
 
@@ -70,6 +74,7 @@ Cache& cache() {
 
 std::shared_ptr<const RhsProgram> make_program(const Model<double>& model, const CommonCar& common,
                                                const Engine& engine, Precision precision, bool car_in_each_lane) {
+    const auto begin = std::chrono::steady_clock::now();
     RhsTrace trace = trace_rhs(model, common, precision);
     program::Graph graph = program::without_dead_code(trace.graph);
     if (car_in_each_lane) graph = program::in_single_numbers(graph);
@@ -83,6 +88,11 @@ std::shared_ptr<const RhsProgram> make_program(const Model<double>& model, const
     made->parameters = std::move(trace.parameters);
     made->state_size = model.vehicle.state_size;
     made->chart = model.chart;
+    if (events_are_logged()) {
+        const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
+        log_event(fmt::format("compiled a right-hand side of {} operations for {}{} in {:.0f} ms", graph.nodes().size(),
+                              engine.name, car_in_each_lane ? ", a car in each lane," : "", spent.count()));
+    }
     return made;
 }
 

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "hamilcar/base/event_log.hpp"
 #include "hamilcar/io/error.hpp"
 
 namespace hamilcar::io {
@@ -115,6 +116,7 @@ std::string read_whole_file(const std::string& path, std::size_t max, const std:
         filled += static_cast<std::size_t>(count);
         if (filled > max) refuse_size();
     }
+    if (events_are_logged()) log_event(fmt::format("read {}, {} bytes", path, filled));
     text.resize(filled);
     return text;
 }

@@ -1,4 +1,4 @@
-// The command line itself: help, unknown words, quiet, what shells and man(1) are given.
+// The command line itself: help, unknown words, quiet and verbose, what shells and man(1) are given.
 #include <gmock/gmock.h>
 
 #include "cli/program.hpp"
@@ -37,6 +37,18 @@ TEST_F(Program, PrintsNothingButErrorsWhereItIsToBeQuiet) {
     EXPECT_EQ(bad.code, 5);
     EXPECT_EQ(bad.out, "");
     EXPECT_THAT(bad.err, HasSubstr("nothing.toml"));
+}
+
+TEST_F(Program, TellsWhatItReadsAndTakesWhereItIsToBeVerbose) {
+    const Outcome plain = run("check " + car), told = run("check -v " + car);
+    EXPECT_EQ(told.code, 0);
+    EXPECT_EQ(told.out, plain.out) << "results stay what they are";
+    EXPECT_EQ(plain.err, "");
+    EXPECT_THAT(told.err, HasSubstr("read " + car + ", "));
+    EXPECT_THAT(told.err, HasSubstr("of processor time, "));
+    const Outcome driven = run("run --verbose --maneuver step_steer --no-recording --vehicle " + car + " -o told");
+    EXPECT_THAT(driven.err, HasSubstr("compiled a right-hand side of "));
+    EXPECT_EQ(run("check -v -q " + car).code, 2);
 }
 
 TEST_F(Program, TellsWhatItWroteOnStandardOutput) {

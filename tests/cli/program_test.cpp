@@ -295,7 +295,7 @@ TEST_F(Program, HelpsWithTheCommandLine) {
     EXPECT_EQ(run("--help").code, 0);
     const Outcome nothing = run("");
     EXPECT_EQ(nothing.code, 2);
-    EXPECT_THAT(nothing.err, HasSubstr("expected a command: 'run', "));
+    EXPECT_THAT(nothing.err, HasSubstr("expected a command: 'new', 'run', "));
     const Outcome mistyped = run("rum x.toml");
     EXPECT_EQ(mistyped.code, 2);
     EXPECT_THAT(mistyped.err, HasSubstr("did you mean 'run'?"));
