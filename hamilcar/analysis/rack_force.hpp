@@ -1,10 +1,8 @@
 // What the driver's hands have to bear: the force that holds the rack on its prescribed course, without assistance.
 //
 // The rack's displacement is a coordinate that somebody else decides on, so that no block computes its force. It is what
-// (71) lacks: with xi the carriers' motion per unit rate of the rack at fixed independent coordinates,
-//     F = sum xi.(h' + v_chassis x* h - Qhat) - sum F_axial dl/dbeta                           // h' as seen from the chassis
-// over all that the rack moves. xi is the linkages' prescribed rate at unit rack rate, Qhat as in (71), and dl/dbeta that of the
-// lines that springs, dampers, stops and bars act along.
+// (71) lacks (unbalanced.hpp) along the linkages' prescribed motion at unit rack rate, at fixed independent coordinates, over all that
+// the rack moves.
 #pragma once
 
 #include "hamilcar/block/momenta.hpp"

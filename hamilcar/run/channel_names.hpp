@@ -30,7 +30,7 @@ inline std::string wheel_load(const std::string& wheel) {
     return wheel + ".wheel.load";  // [N]
 }
 inline std::string wheel_spin(const std::string& wheel) {
-    return wheel + ".wheel.spin";  // [rad/s]
+    return wheel + ".wheel.spin";  // [rpm]
 }
 inline std::string contact_x(const std::string& wheel) {
     return wheel + ".contact.x";  // [m]

@@ -10,6 +10,7 @@
 #include "hamilcar/io/spelling.hpp"
 #include "hamilcar/run/channel_names.hpp"
 #include "hamilcar/run/handling_channels.hpp"
+#include "hamilcar/run/joint_channels.hpp"
 #include "hamilcar/run/motion_channels.hpp"
 #include "hamilcar/run/powertrain_channels.hpp"
 #include "hamilcar/run/suspension_channels.hpp"
@@ -92,6 +93,8 @@ void add_car_channels(const VehicleDescription& vehicle, std::vector<Channel>& l
             channel::steering_wheel, "deg", "of the steering wheel, to the left positive",
             [column](const Sample& s) { return column.angle(s.input.rack.displacement) / degree; }, true,
             ChannelRole::steering_wheel_angle);
+        add("input.rack_force", "N", "that holds the rack on its course, to the left positive; without power assist",
+            [](const Sample& s) { return rack_force(s.model, s.state, s.input, s.velocity, s.momenta); });
         add(
             channel::steering_torque, "N m", "that the driver applies, without power assist; to the left positive",
             [column](const Sample& s) {
@@ -141,6 +144,7 @@ std::vector<Channel> all_channels(const VehicleDescription& vehicle) {
     add_car_channels(vehicle, list);
     add_powertrain_channels(vehicle, list);
     add_suspension_channels(vehicle, list);
+    add_joint_channels(vehicle, list);
     add_motion_channels(vehicle, list);
     return list;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "hamilcar/math/convert.hpp"
 #include "hamilcar/run/scene_suspension.hpp"
@@ -51,6 +52,23 @@ SceneBody bodywork(const VehicleDescription& vehicle) {
     return box;
 }
 
+// Where the arm of a bar turns at a wheel, on its unit; nothing where the bar has no arms.
+std::optional<FramePoint> bush_of_bar(const VehicleDescription& vehicle, std::size_t wheel) {
+    for (const SuspensionDescription& suspension : vehicle.suspensions) {
+        if (wheel >= suspension.wheels.size()) {
+            wheel -= suspension.wheels.size();
+            continue;
+        }
+        int coordinate = suspension.wheels[wheel].bar_arm.value_or(-1);
+        if (coordinate < 0) return {};
+        for (const TreeJointDescription& joint : suspension.linkage.joints) {
+            if (coordinate == 0) return FramePoint{suspension.unit, joint.point};
+            coordinate -= freedoms(joint.kind);
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 Scene make_scene(const VehicleDescription& vehicle) {
@@ -63,6 +81,10 @@ Scene make_scene(const VehicleDescription& vehicle) {
     }
     for (std::size_t i = 0; i < vehicle.suspensions.size(); ++i) {
         add_suspension(vehicle.suspensions[i], pose_of_part(vehicle.suspensions[i], i), scene);
+    }
+    for (const AntiRollBarDescription& bar : vehicle.anti_roll_bars) {
+        const auto left = bush_of_bar(vehicle, bar.left), right = bush_of_bar(vehicle, bar.right);
+        if (left && right) scene.links.push_back({LinkKind::body, "anti-roll bar", *left, *right});
     }
     scene.bodies.push_back(bodywork(vehicle));
     for (std::size_t i = 0; i < vehicle.trailers.size(); ++i) {

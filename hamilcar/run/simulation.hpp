@@ -1,4 +1,4 @@
-// One run: a vehicle and a scenario become a state that is stepped through the ring until the time is up or something
+// One run: a vehicle and a scenario become a state that is stepped until the time is up or something
 // ends it. The mathematics never throws; what it flags becomes an `End` here, with the results so far kept by the caller.
 #pragma once
 
@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "hamilcar/analysis/energy.hpp"
+#include "hamilcar/analysis/joint_forces.hpp"
 #include "hamilcar/block/equilibrium.hpp"
 #include "hamilcar/block/initial_process.hpp"
 #include "hamilcar/block/integration.hpp"
@@ -30,6 +31,8 @@ struct Sample {
     double violation;        // largest opening of a cut joint [m]
     double constraint_norm;  // Euclidean norm of all Phi, the paper's Fig. 9
     double mobility;         // smallest over the suspensions: 0 where a linkage locks
+    // Found when first asked for; a sample belongs to one thread.
+    mutable std::optional<VehicleJointForces> joint_forces{};
 };
 
 // Why a run ended early.

@@ -14,6 +14,7 @@ namespace {
 
 using io::ChannelRole;
 using units::degree;
+using units::rpm;
 
 double camber(const Vec3<double>& axis, bool left) {
     return (left ? -1 : 1) * std::asin(std::clamp(axis[2], -1.0, 1.0)) / degree;
@@ -22,7 +23,7 @@ double camber(const Vec3<double>& axis, bool left) {
 // How to read one wheel, whatever carries it.
 struct WheelReader {
     std::string name;
-    bool left;
+    bool left, bar_has_arms;
     std::function<const WheelForces<double>&(const Sample&)> forces;
     std::function<Vec3<double>(const Sample&)> axis;  // in the axes of its unit
 };
@@ -98,13 +99,24 @@ void add_wheel_channels(std::vector<Channel>& list, const WheelReader& wheel) {
         [axis = wheel.axis, left = wheel.left](const Sample& s) { return camber(axis(s), left); });
     add(list, name + ".wheel.steer", "deg", "to the left positive, toe included, against the chassis",
         [axis = wheel.axis](const Sample& s) { return std::atan2(-axis(s)[0], axis(s)[1]) / degree; });
+    add(list, name + ".wheel.toe", "deg", "toe-in positive, against the chassis",
+        [axis = wheel.axis, left = wheel.left](const Sample& s) {
+            return (left ? 1 : -1) * std::atan2(axis(s)[0], axis(s)[1]) / degree;
+        });
     add_force(
-        ".wheel.spin", "rad/s", "against the carrier", [](const F& f) { return f.spin; }, true);
+        ".wheel.spin", "rpm", "against the carrier", [](const F& f) { return f.spin / rpm; }, true);
     give_role(list, ChannelRole::wheel_spin, name);
     add_force(".stop.force", "N", "on the wheel, up positive", [](const F& f) { return f.stop; });
-    add_force(".anti_roll_bar.force", "N", "on the wheel, up positive", [](const F& f) { return f.bar; });
+    const auto bar = [](const F& f) { return f.bar; };
+    if (wheel.bar_has_arms) {
+        add_force(".anti_roll_bar.moment", "N m", "on its arm, nose down positive", bar);
+    } else {
+        add_force(".anti_roll_bar.force", "N", "on the wheel, up positive", bar);
+    }
     add_force(".drive.torque", "N m", "on the wheel", [](const F& f) { return f.drive_torque; });
     add_force(".brake.torque", "N m", "on the wheel", [](const F& f) { return f.brake_torque; });
+    add_force(".brake.power", "W", "that the brake turns to heat, less what its wind-up holds back",
+              [](const F& f) { return -f.brake_torque * f.spin; });
 }
 
 // The load of all tires of a wheel, and where its outer one stands on the ground, the one away from its unit's middle.
@@ -135,7 +147,7 @@ void add_channels_of_wheel(std::vector<Channel>& list, const SuspensionWheelDesc
         return s.momenta.suspensions[suspension].wheels[i];
     };
     const auto axis = [suspension, i](const Sample& s) { return s.velocity.suspensions[suspension].axis[i]; };
-    add_wheel_channels(list, {wheel.name, wheel.wheel.center[1] >= 0, forces, axis});
+    add_wheel_channels(list, {wheel.name, wheel.wheel.center[1] >= 0, wheel.bar_arm.has_value(), forces, axis});
     add_ground_channels(list, wheel, suspension, i);
     const auto tire = [forces](std::size_t k) {
         return [forces, k](const Sample& s) -> const TireForces<double>& { return forces(s).tires[k]; };
@@ -155,8 +167,9 @@ void add_channels_of(std::vector<Channel>& list, const SuspensionDescription& su
         const auto spring = [at, i](const Sample& s) { return s.momenta.suspensions[at].springs[i]; };
         const std::optional<int> along = suspension.springs[i].line.coordinate;
         const bool turns = along && suspension.linkage.turns(*along);
-        add(list, name + ".spring.length", turns ? "rad" : "m", "of the spring",
-            [spring](const Sample& s) { return spring(s).length; });
+        const double unit = turns ? degree : 1;
+        add(list, name + ".spring.length", turns ? "deg" : "m", "of the spring",
+            [spring, unit](const Sample& s) { return spring(s).length / unit; });
         add(list, name + ".spring.force", turns ? "N m" : "N", "compression positive",
             [spring](const Sample& s) { return spring(s).force; });
     }
@@ -167,15 +180,18 @@ void add_channels_of(std::vector<Channel>& list, const SuspensionDescription& su
         const bool turns = along && suspension.linkage.turns(*along);
         add(list, name + ".damper.force", turns ? "N m" : "N", "compression positive",
             [damper](const Sample& s) { return damper(s).force; });
-        add(list, name + ".damper.velocity", turns ? "rad/s" : "m/s", "extension positive",
-            [damper](const Sample& s) { return damper(s).rate; });
+        const double unit = turns ? degree : 1;
+        add(list, name + ".damper.velocity", turns ? "deg/s" : "m/s", "extension positive",
+            [damper, unit](const Sample& s) { return damper(s).rate / unit; });
+        add(list, name + ".damper.power", "W", "that the damper turns to heat",
+            [damper](const Sample& s) { return -damper(s).force * damper(s).rate; });
     }
     const std::vector<int> independent = compose(suspension.linkage).independent;
     for (std::size_t j = 0; j < independent.size(); ++j) {
-        add(list, fmt::format("{}.independent.{}", suspension.name, j + 1),
-            suspension.linkage.turns(independent[j]) ? "rad" : "m", "independent coordinate, zero at design",
-            [at, j](const Sample& s) {
-                return s.model.vehicle.suspensions[at].state(s.state.values.data()).independent[j];
+        const double unit = suspension.linkage.turns(independent[j]) ? degree : 1;
+        add(list, fmt::format("{}.independent.{}", suspension.name, j + 1), unit == 1 ? "m" : "deg",
+            "independent coordinate, zero at design", [at, j, unit](const Sample& s) {
+                return s.model.vehicle.suspensions[at].state(s.state.values.data()).independent[j] / unit;
             });
     }
 }

@@ -9,6 +9,7 @@ import * as shapes from "./shapes";
 interface Mount {
   readonly wheel: Wheel;
   readonly spin: number; // channel, -1: none
+  readonly rate: number; // of one of its units [rad/s]
   readonly ahead: readonly [number, number, number]; // across the axis, carrier's frame
   readonly up: readonly [number, number, number];
   readonly side: number; // its face looks outboard: 1 on the left, -1 on the right
@@ -19,9 +20,11 @@ function mount(wheel: Wheel, channels: Channels): Mount {
   const axis = new THREE.Vector3(...wheel.axis).normalize();
   const ahead = new THREE.Vector3().crossVectors(axis, new THREE.Vector3(0, 0, 1)).normalize();
   const up = new THREE.Vector3().crossVectors(ahead, axis);
+  const spin = channels.find("wheel_spin", wheel.name);
   return {
     wheel,
-    spin: channels.find("wheel_spin", wheel.name),
+    spin,
+    rate: channels.list[spin]?.unit === "rpm" ? Math.PI / 30 : 1,
     ahead: [ahead.x, ahead.y, ahead.z],
     up: [up.x, up.y, up.z],
     side: wheel.center[1] < 0 ? -1 : 1,
@@ -50,7 +53,7 @@ export class Wheels {
     for (let m = 0; m < this.mounts.length; ++m) {
       const mount = this.mounts[m]!;
       const spin = mount.spin < 0 ? 0 : row[mount.spin] ?? 0;
-      if (Number.isFinite(spin)) mount.angle = (mount.angle + spin * seconds) % (2 * Math.PI);
+      if (Number.isFinite(spin)) mount.angle = (mount.angle + spin * mount.rate * seconds) % (2 * Math.PI);
       for (let t = 0; t < mount.wheel.tires.length; ++t) this.write(frames, mount, mount.wheel.tires[t]!, n++);
     }
     this.tires.instanceMatrix.needsUpdate = true;
