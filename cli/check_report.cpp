@@ -41,6 +41,7 @@ nlohmann::json json_of(const VehicleFigures& f) {
         axles.push_back({{"name", axle.name},
                          {"track_m", axle.track},
                          {"load_N", axle.load},
+                         {"left_load_N", axle.left_load},
                          {"travel_m", axle.travel},
                          {"roll_stiffness_N_m_per_rad", axle.roll_stiffness},
                          {"anti_roll_bar_N_m_per_rad", axle.bar_stiffness},
@@ -56,6 +57,7 @@ nlohmann::json json_of(const VehicleFigures& f) {
                        {"center_of_mass_height_m", f.center_of_mass[2]},
                        {"inertia_kg_m2", f.inertia},
                        {"static_stability_factor", f.static_stability_factor},
+                       {"cross_weight", f.cross_weight},
                        {"full_brake_deceleration_m_per_s2", f.full_brake_deceleration},
                        {"axles", axles},
                        {"natural_frequencies", rides},
@@ -110,6 +112,14 @@ std::string axle_table(const std::vector<StandingAxle>& axles) {
     return s;
 }
 
+std::string corner_loads(const VehicleFigures& f) {
+    std::string s;
+    for (const StandingAxle& axle : f.axles) {
+        if (!axle.of_trailer) s += fmt::format("{:.0f} and {:.0f} N, ", axle.left_load, axle.load - axle.left_load);
+    }
+    return s + fmt::format("cross weight {} %", fixed_text(100 * f.cross_weight, 2));
+}
+
 std::string text_of(const VehicleFigures& f) {
     const auto line = [](const char* name, const std::string& value) {
         return fmt::format("  {:<25}{}\n", name, value);
@@ -121,6 +131,7 @@ std::string text_of(const VehicleFigures& f) {
     s += line("moments of inertia", fmt::format("roll {:.0f}, pitch {:.0f}, yaw {:.0f} kg m^2 about it", f.inertia[0],
                                                 f.inertia[1], f.inertia[2]));
     s += line("static stability factor", fmt::format("{:.2f}", f.static_stability_factor));
+    if (!std::isnan(f.cross_weight)) s += line("corner loads", corner_loads(f));
     if (const auto& steering = f.steering) {
         s += line("steering ratio", fmt::format("{:.1f}", steering->ratio));
         s += line("full lock",

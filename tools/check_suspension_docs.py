@@ -14,7 +14,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGES = ROOT / "docs/suspensions"
 STRING = r'"(?:[^"\\]|\\.)*"'
 KEY = re.compile(r'\{\s*"(\w+)",\s*(?:HardpointKind::)?(point|direction|flag|number|length),\s*((?:' + STRING + r'\s*)+)'
-                 r'(?:,\s*\{([^{}]*)\})?(?:,\s*(true|false))?\s*\}')
+                 r'(?:,\s*\{([^{}]*)\})?(?:,\s*(true|false)(?:,\s*(?:true|false))?)?\s*\}')
 NAMED = re.compile(r"\bHardpointKey (\w+)(\{.*?\});", re.S)
 RECIPE = re.compile(r"^const Recipe (\w+)_recipe\{(.*?)\};$", re.M | re.S)
 
@@ -102,9 +102,9 @@ def problems():
         if keyword not in found or not found[keyword][0]:
             yield f"hamilcar/suspension: '{keyword}' or its keys not found; is it written as the others are?"
     # Keys that are read elsewhere: of the corners with a program of their own, of a rocker, of rigid bodies.
-    own = set(re.findall(r'"(\w+_m)"', (ROOT / "hamilcar/io/axle_file.cpp").read_text()))
-    axle_file = (ROOT / "hamilcar/io/axle_file.cpp").read_text()
-    rocker = keys_in(re.search(r"rocker_keys\{(.*?)\};", axle_file, re.S)[1], {})
+    composition_file = (ROOT / "hamilcar/io/composition_file.cpp").read_text()
+    own = set(re.findall(r'"(\w+_m)"', composition_file))
+    rocker = keys_in(re.search(r"rocker_keys\{(.*?)\};", composition_file, re.S)[1], {})
     body = set(re.findall(r'table\.\w+(?:<3>)?\("(\w+)"', (ROOT / "hamilcar/io/body_file.cpp").read_text()))
     index = (PAGES / "README.md").read_text() if (PAGES / "README.md").is_file() else ""
     for keyword, (keys, has_rocker) in found.items():

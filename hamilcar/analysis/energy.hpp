@@ -61,17 +61,14 @@ void add_suspension_energy(const Model<T>& model, const State<T>& state, const V
         e.kinetic += T(0.5) * at.motion.dot(trailer.chassis_inertia * at.motion);
         e.potential += trailer.chassis.mass * vehicle.gravity * height_in(i + 1)(trailer.chassis.center);
     }
-    std::array<T, max_vehicle_wheels> travel;
     for (std::size_t s = 0; s < vehicle.suspensions.size(); ++s) {
         const Suspension<T>& suspension = vehicle.suspensions[s];
         add_energy_of(suspension, velocity.suspensions[s], momenta.suspensions[s], state, vehicle.gravity,
                       height_in(static_cast<std::size_t>(suspension.unit)), e);
-        for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
-            travel[static_cast<std::size_t>(suspension.first_wheel) + i] = momenta.suspensions[s].wheels[i].travel;
-        }
     }
+    const std::array<T, max_vehicle_wheels> deflection = bar_deflections(vehicle, state, velocity);
     for (const AntiRollBar<T>& bar : vehicle.anti_roll_bars) {
-        const T difference = travel[bar.left] - travel[bar.right];
+        const T difference = deflection[bar.left] - deflection[bar.right];
         e.potential += T(0.5) * bar.rate * difference * difference;
     }
 }

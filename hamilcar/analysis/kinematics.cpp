@@ -47,6 +47,16 @@ double ratio(const std::vector<LineMotion>& lines, const std::string& wheel, con
     return -rate;
 }
 
+// How the arm of an anti-roll bar turns.
+double arm_rate(const WheelMotion& wheel, const Eigen::VectorXd& dq, Eigen::Index first) {
+    if (wheel.bar_arm.empty()) return none;
+    double rate = 0;
+    for (std::size_t j = 0; j < wheel.bar_arm.size(); ++j) {
+        rate += wheel.bar_arm[j] * dq[first + static_cast<Eigen::Index>(j)];
+    }
+    return rate;
+}
+
 struct Side {
     double outward;  // 1 on the left, -1 on the right
     double loaded_radius;
@@ -122,6 +132,7 @@ AxleFigures read_axle(const HeldAxle& axle, const AxleFacts& facts) {
     // What the contacts move sideways in roll the chassis would move over the road: the axis lies that much higher.
     out.roll_center = 0.5 * (at_left[1] - at_right[1]) * 0.5 * aside;
     out.roll_stiffness = out.ackermann = none;  // of differences, by the sweep
+    out.bar_twist = 0.5 * (arm_rate(left, roll, sides.left.first) - arm_rate(right, roll, sides.right.first));
     const bool to_left = out.left.steer + out.right.steer > 0;
     const double inner = std::abs(to_left ? out.left.steer : out.right.steer),
                  outer = std::abs(to_left ? out.right.steer : out.left.steer);

@@ -28,6 +28,7 @@ struct AxleFigures {
     double track_change;    // [m]
     double roll_center;     // height over the road at design [m]
     double roll_stiffness;  // moment of the springs against the body's roll per angle, without bars [N m/rad]
+    double bar_twist;       // of an anti-roll bar with arms per difference of the wheels' travels [rad/m]; NaN without
     double ackermann;       // inner wheel's steer less what the outer one's calls for [rad]; NaN while straight
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -52,7 +53,7 @@ StandingAxle standing(const VehicleDescription& vehicle, const Axle& axle, const
                       const std::vector<AxleReport>& kinematics) {
     const std::vector<std::string> names = wheel_names(vehicle);
     const auto wheels = static_cast<Eigen::Index>(names.size());
-    StandingAxle out{axle.name, axle.of_trailer, none, 0, 0, none, 0, none};
+    StandingAxle out{axle.name, axle.of_trailer, none, 0, 0, 0, none, 0, none};
     double left = -1e9, right = 1e9;
     for_each_wheel(vehicle, [&, number = Eigen::Index(0)](const auto& wheel, std::size_t) mutable {
         const Eigen::Index i = number++;
@@ -60,20 +61,31 @@ StandingAxle standing(const VehicleDescription& vehicle, const Axle& axle, const
         left = std::max(left, wheel.wheel.center[1]), right = std::min(right, wheel.wheel.center[1]);
         const double travel = model.output[first_wheel_output + i];
         if (std::abs(travel) > std::abs(out.travel)) out.travel = travel;
-        out.load += model.output[first_wheel_output + wheels + i];
+        const double load = model.output[first_wheel_output + wheels + i];
+        out.load += load;
+        if (wheel.wheel.center[1] > 0) out.left_load += load;
     });
     if (axle.wheels.size() < 2) return out;
     out.track = left - right;
-    for (const AntiRollBarDescription& bar : vehicle.anti_roll_bars) {
-        const bool is_own = std::ranges::find(axle.wheels, names[bar.left]) != axle.wheels.end();
-        if (is_own) out.bar_stiffness += bar.rate * out.track * out.track;
-    }
     const auto own = std::ranges::find_if(kinematics, [&](const AxleReport& one) { return is_of(one, axle); });
     if (own == kinematics.end()) return out;
+    const double twist = std::isnan(own->design.bar_twist) ? 1 : own->design.bar_twist;  // of a bar on the travels
+    for (const AntiRollBarDescription& bar : vehicle.anti_roll_bars) {
+        const bool is_own = std::ranges::find(axle.wheels, names[bar.left]) != axle.wheels.end();
+        if (is_own) out.bar_stiffness += bar.rate * std::pow(twist * out.track, 2);
+    }
     out.roll_stiffness = own->design.roll_stiffness + out.bar_stiffness;
     const double rate = own->design.left.wheel_rate + own->design.right.wheel_rate;
     out.ride_frequency = std::sqrt(rate * vehicle.gravity / out.load) / (2 * std::numbers::pi);
     return out;
+}
+
+// As racers count it: the diagonal that turning left loads.
+double cross_weight(const std::vector<StandingAxle>& axles) {
+    std::vector<StandingAxle> own;
+    std::ranges::copy_if(axles, std::back_inserter(own), [](const StandingAxle& axle) { return !axle.of_trailer; });
+    if (own.size() != 2) return none;
+    return (own[0].load - own[0].left_load + own[1].left_load) / (own[0].load + own[1].load);
 }
 
 double rack_per_angle(const SteeringDescription& steering) {
@@ -139,6 +151,7 @@ VehicleFigures vehicle_figures(const Linearizer& linearizer, const OperatingPoin
     const double height = (rest.state.position() + R * center)[2];
     out.center_of_mass = {all.front().x - center[0], center[1], height};
     out.static_stability_factor = tipping_acceleration(vehicle) / vehicle.gravity;
+    out.cross_weight = cross_weight(out.axles);
     out.full_brake_deceleration = full_brake_force(vehicle) / out.total_mass;
     out.steering = steering_figures(vehicle, kinematics);
     for (const Mode& mode : modes(model, vehicle)) {

@@ -18,6 +18,7 @@ struct StandingAxle {
     bool of_trailer;
     double track;           // between its outermost wheel centers at design [m]
     double load;            // on the road [N]
+    double left_load;       // the left wheels' part of it [N]
     double travel;          // of its wheel that is farthest from design [m]
     double roll_stiffness;  // of springs and anti-roll bars against the body's roll, tires rigid [N m/rad]
     double bar_stiffness;   // the bars' part of it
@@ -36,6 +37,7 @@ struct VehicleFigures {
     Point center_of_mass;            // behind the first axle, to the left of the middle, over the road as it stands [m]
     Point inertia;                   // about it, at design, along the vehicle's axes [kg m^2]
     double static_stability_factor;  // track over twice the height of the center of mass, of the narrowest axle [1]
+    double cross_weight;             // share of front right and rear left in the load of two axles; NaN of others [1]
     double full_brake_deceleration;  // all brakes at full command, were the road to take it [m/s^2]
     std::vector<StandingAxle> axles;  // trailers' as well
     std::optional<SteeringFigures> steering;

@@ -29,6 +29,9 @@ WheelMotion motion_of(const Suspension<double>& suspension, const LinkagePositio
         out.coordinates.push_back(suspension.offset + j);
     }
     out.steer = at.motion.x[frame];
+    for (int j = 0; j < n && wheel.bar_arm >= 0; ++j) {
+        out.bar_arm.push_back(at.Y[static_cast<std::size_t>(wheel.bar_arm)][static_cast<std::size_t>(j)]);
+    }
     for (const auto& [where, spring] : suspension.springs) {
         const auto line = suspension.linkage.line(where, at, view.independent, view.dependent);
         out.springs.push_back(line_motion(line, n, spring.force(line.length)));

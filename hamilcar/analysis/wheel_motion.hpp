@@ -25,6 +25,7 @@ struct WheelMotion {
     std::vector<Spatial<double>> J;            // motion of the carrier per independent coordinate
     Spatial<double> steer;                     // and per unit of rack, these held still
     std::vector<LineMotion> springs, dampers;  // its own, or all of a suspension that carries both wheels
+    std::vector<double> bar_arm;  // angle of an anti-roll bar's arm per independent coordinate; empty without one
     bool own_differential;  // the axle holds it: drive acts at the contact as a brake does, not at the wheel's center
 };
 

@@ -63,7 +63,7 @@ public:
     }
 
     // `first`: number of its first wheel in the vehicle, or of the first of both; `bars`: forces of anti-roll bars along the
-    // wheels' travels [N]; `shafts`: torques of a driveline [N m].
+    // wheels' travels [N] or moments on their arms [N m]; `shafts`: torques of a driveline [N m].
     void add_wheels(const std::array<int, 2>& first, const std::array<T, max_wheels>& bars,
                     const std::array<T, max_wheels>& shafts) {
         std::array<MovingWheel<T>, max_wheels> moving;
@@ -174,7 +174,10 @@ private:
         LineOfAction<T> line;
         line.length = f.travel;
         suspension_.linkage.along(Vec3<T>::UnitZ(), at.center, wheel.frame, 0, at_.own, line);
-        push(f.stop + f.bar, line);
+        if (wheel.bar_arm < 0) return push(f.stop + f.bar, line);
+        push(f.stop, line);
+        const auto state = suspension_.state(values_);
+        push(f.bar, suspension_.linkage.along(wheel.bar_arm, at_, state.independent, state.dependent));
     }
 
     // Adds the force on a body or a wheel on `frame`, and its momentum.

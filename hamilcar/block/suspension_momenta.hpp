@@ -25,20 +25,34 @@ struct Momenta {
     Momenta() {}
 };
 
-// Forces of the bars on the wheels along their travel, wheel by wheel.
+// What an anti-roll bar feels of every wheel: the angle of its arm [rad], or the wheel's travel [m].
 template <class T, class S>
-std::array<T, max_vehicle_wheels> anti_roll_forces(const Vehicle<T>& vehicle, const Velocity<T, S>& velocity) {
-    std::array<T, max_vehicle_wheels> travel, force;
+std::array<T, max_vehicle_wheels> bar_deflections(const Vehicle<T>& vehicle, const State<T>& state,
+                                                  const Velocity<T, S>& velocity) {
+    std::array<T, max_vehicle_wheels> out;
     for (std::size_t s = 0; s < vehicle.suspensions.size(); ++s) {
         const Suspension<T>& suspension = vehicle.suspensions[s];
+        const auto numbers = suspension.state(state.values.data());
         for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
-            const std::size_t number = static_cast<std::size_t>(suspension.first_wheel) + i;
-            travel[number] = velocity.suspensions[s].center[i][2] - suspension.wheels[i].wheel.center[2];
-            force[number] = T(0);
+            const SuspensionWheel<T>& wheel = suspension.wheels[i];
+            T& deflection = out[static_cast<std::size_t>(suspension.first_wheel) + i];
+            deflection = velocity.suspensions[s].center[i][2] - wheel.wheel.center[2];
+            if (wheel.bar_arm >= 0)
+                deflection = suspension.linkage.value(wheel.bar_arm, numbers.independent, numbers.dependent);
         }
     }
+    return out;
+}
+
+// Forces of the bars on the wheels along their travel, or moments on their arms, wheel by wheel.
+template <class T, class S>
+std::array<T, max_vehicle_wheels> anti_roll_forces(const Vehicle<T>& vehicle, const State<T>& state,
+                                                   const Velocity<T, S>& velocity) {
+    const std::array<T, max_vehicle_wheels> deflection = bar_deflections(vehicle, state, velocity);
+    std::array<T, max_vehicle_wheels> force;
+    force.fill(T(0));
     for (const AntiRollBar<T>& bar : vehicle.anti_roll_bars) {
-        const T pull = bar.rate * (travel[bar.left] - travel[bar.right]);
+        const T pull = bar.rate * (deflection[bar.left] - deflection[bar.right]);
         force[bar.left] -= pull;
         force[bar.right] += pull;
     }
@@ -108,7 +122,7 @@ void suspension_momenta(const Model<T>& model, const State<T>& state, const Inpu
         own.external = spatial<T>(own.surroundings.gravity * trailer.chassis.mass,
                                   trailer.chassis_inertia.first_moment.cross(own.surroundings.gravity));
     }
-    const std::array<T, max_vehicle_wheels> bars = anti_roll_forces(vehicle, velocity);
+    const std::array<T, max_vehicle_wheels> bars = anti_roll_forces(vehicle, state, velocity);
     UnevenGround<T> uneven;
     const auto world_of = [&](int unit) -> const Surroundings<T>& {
         return unit == 0 ? motor_vehicle : out.trailers[static_cast<std::size_t>(unit) - 1].surroundings;

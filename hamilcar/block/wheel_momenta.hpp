@@ -47,7 +47,8 @@ struct TireForces {
 
 template <class T>
 struct WheelForces : TireForces<T> {
-    T stop, bar;                                 // along the wheel's travel [N]
+    T stop;                                      // along the wheel's travel [N]
+    T bar;                                       // likewise [N], or about the arm of an anti-roll bar [N m]
     T travel;                                    // [m]
     T drive_torque, brake_torque;                // on the wheel [N m]
     T tire_spin_torque;                          // of the tires about the spin axis [N m]

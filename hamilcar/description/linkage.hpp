@@ -59,6 +59,7 @@ struct CutJointDescription {
     Point axis{};                     // on the base; unit
     Point drive{};                    // the rack moves the foot by this times its displacement [1]
     std::optional<double> length;     // of a distance or an arm [m]; from the points if absent
+    std::optional<double> offset;     // of an arm's ball from the foot, along the axis [m]; from the points if absent
     std::optional<Point> other_bush;  // of an arm with two of them, the foot is the first; for pictures alone
 };
 

@@ -37,11 +37,12 @@ struct WheelDescription {
     double spin_inertia = 0;  // wheel, tire and disc about the spin axis [kg m^2]
 };
 
-// Axial force F = force_at_design + rate (design length - length), positive in compression.
+// Axial force F = force_at_design + rate (seat + design length - length), positive in compression.
 struct SpringDescription {
     double rate = 0;             // [N/m]
     double force_at_design = 0;  // [N]
     bool carries = false;        // that force was found such that the vehicle stands at design (block/preload.hpp)
+    double seat = 0;             // how much a seat compresses it beyond that force [m]
 };
 
 // Force against velocity of extension, piecewise linear through the points, continued with the outer slopes.
@@ -85,6 +86,8 @@ struct SuspensionWheelDescription {
     double drive_share = 0;  // of the drive torque at this wheel [1]
     std::size_t drive_reaction =
         0;  // part that the drive torque reacts on: the chassis, or where the differential sits
+    std::optional<int>
+        bar_arm;  // coordinate of the linkage, the angle of an anti-roll bar's arm; none: the bar acts on travel
 
     int tires() const { return dual_spacing > 0 ? 2 : 1; }
 };
@@ -120,11 +123,11 @@ struct SuspensionDescription {
     std::vector<SuspensionDamperDescription> dampers;
 };
 
-// Couples the travels of two wheels, numbered through all suspensions in order: force rate * (z_left - z_right) pushes the
-// higher one down.
+// Couples two wheels, numbered through all suspensions in order: force rate * (z_left - z_right) on their travels pushes the higher
+// one down; where the bar's arms are parts of the linkages (SuspensionWheelDescription::bar_arm), a moment on their angles likewise.
 struct AntiRollBarDescription {
     std::size_t left = 0, right = 0;
-    double rate = 0;  // [N/m] of wheel travel difference
+    double rate = 0;  // of the difference of travels [N/m], or of the arms' angles [N m/rad]
 };
 
 // ball: yaw, roll and pitch; fifth_wheel: its plate pitches on what pulls, the trailer yaws on the plate, roll is passed on.

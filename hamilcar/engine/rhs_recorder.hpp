@@ -91,7 +91,7 @@ private:
         return suspension;
     }
     static SuspensionWheel<double> alike(SuspensionWheel<double> wheel) {
-        wheel.frame = wheel.reaction = wheel.offset = 0;
+        wheel.frame = wheel.reaction = wheel.offset = wheel.bar_arm = 0;
         return wheel;
     }
     template <class Part>

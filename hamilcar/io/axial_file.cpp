@@ -16,34 +16,19 @@ struct Lines {
     double sense = 1;
 };
 
-std::vector<std::string_view> part_names(const Composition& composition) {
-    std::vector<std::string_view> names;
-    for (const PartChoice& part : composition.parts) names.push_back(part.name);
-    return names;
-}
-
-const PartChoice& part_of(const TableReader& table, std::string_view key, const Composition& composition,
-                          std::string_view fallback) {
-    const std::vector<std::string_view> names = part_names(composition);
-    const auto default_name = std::ranges::find(names, fallback);
-    const std::optional<std::size_t> place =
-        default_name == names.end() ? std::nullopt : std::optional<std::size_t>(default_name - names.begin());
-    return composition.parts[table.one_of(key, names, place)];
-}
-
 using UseLines = std::function<void(const Lines&)>;
 
 // Along the one coordinate of the joint that carries a part.
 Lines along_joint(const TableReader& table, const AxleSides& sides, const PartChoice& part) {
     const auto joint = [](const AxleSides& of, bool right, std::size_t number) -> const TreeJointDescription& {
-        return (right ? of.right : of.left).linkage.joints[number - 1];
+        return (right ? of.of_right() : of.left).linkage.joints[number - 1];
     };
     const TreeJointDescription &left = joint(sides, false, part.left), &right = joint(sides, true, part.right);
     table.expect(freedoms(left.kind) == 1 && right.kind == left.kind, "along",
                  "a part on a revolute or prismatic joint, on both sides");
     Lines out;
     out.left.coordinate = frame_of_part(sides.left.linkage, part.left) - 1;
-    out.right.coordinate = frame_of_part(sides.right.linkage, part.right) - 1;
+    out.right.coordinate = frame_of_part(sides.of_right().linkage, part.right) - 1;
     out.turns = left.kind == TreeJoint::revolute;
     const Point m = mirrored(left.axis);
     const double same = m[0] * right.axis[0] + m[1] * right.axis[1] + m[2] * right.axis[2];
@@ -57,7 +42,7 @@ Lines between_points(const TableReader& table, const AxleSides& sides) {
     const PartChoice& part = part_of(table, "on", sides.left, sides.default_part);
     Lines out;
     out.left.part = part.left, out.right.part = part.right;
-    if (sides.left.carriers.size() == 2 && table.has("right_on")) {
+    if (sides.hold_both() && table.has("right_on")) {
         out.right.part = part_of(table, "right_on", sides.left, part.name).right;
     }
     if (table.has("to")) {
@@ -90,7 +75,7 @@ void for_each_element(const TableReader& axle, const std::string& key, const Axl
         ++number;
     };
     if (const auto& line = sides.left.*own) {
-        add(axle.table(key), {*line, *(sides.right.*own)}, number++);
+        add(axle.table(key), {*line, *(sides.of_right().*own)}, number++);
     } else if (const auto table = axle.optional_table(key)) {
         read(*table);
     }
@@ -106,7 +91,8 @@ std::string numbered(const std::string& name, std::size_t i) {
 SpringDescription read_spring(const TableReader& table, bool turns) {
     const double rate = table.number(turns ? "rate_N_m_per_rad" : "rate_N_per_m", positive);
     const auto preload = table.number_or("carry", turns ? "moment_at_design_N_m" : "force_at_design_N", any_number);
-    return {rate, preload.value_or(0), !preload};
+    const double seat = table.number(turns ? "seat_deg" : "seat_m", any_number, 0);
+    return {rate, preload.value_or(0), !preload, seat};
 }
 
 DamperDescription read_any_damper(const TableReader& table, bool turns) {
@@ -125,29 +111,37 @@ void turn_over(DamperDescription& damper) {
 
 }  // namespace
 
-void add_springs_and_dampers(const TableReader& axle, const AxleSides& sides, SuspensionDescription& left,
+void add_springs_and_dampers(const AxleTables& axle, const AxleSides& sides, SuspensionDescription& left,
                              SuspensionDescription& right) {
-    const std::string name = axle.text("name");
+    const std::string name = axle.left.text("name");
     std::vector<SuspensionSpringDescription> right_springs;
     std::vector<SuspensionDamperDescription> right_dampers;
-    const auto add_spring = [&](const TableReader& table, const Lines& lines, std::size_t number) {
-        SpringDescription spring = read_spring(table, lines.turns);
-        left.springs.push_back({numbered(name + "_left", number), lines.left, spring});
-        spring.force_at_design *= lines.sense;
-        right_springs.push_back({numbered(name + "_right", number), lines.right, spring});
+    const auto add_of = [&](const TableReader& table, bool is_left, bool is_right) {
+        for_each_element(table, "spring", sides, &Composition::spring_line,
+                         [&](const TableReader& element, const Lines& lines, std::size_t number) {
+                             SpringDescription spring = read_spring(element, lines.turns);
+                             if (is_left)
+                                 left.springs.push_back({numbered(name + "_left", number), lines.left, spring});
+                             spring.force_at_design *= lines.sense, spring.seat *= lines.sense;
+                             if (is_right)
+                                 right_springs.push_back({numbered(name + "_right", number), lines.right, spring});
+                         });
+        for_each_element(table, "damper", sides, &Composition::damper_line,
+                         [&](const TableReader& element, const Lines& lines, std::size_t number) {
+                             DamperDescription damper = read_any_damper(element, lines.turns);
+                             if (is_left)
+                                 left.dampers.push_back({numbered(name + "_left", number), lines.left, damper});
+                             if (lines.sense < 0) turn_over(damper);
+                             if (is_right)
+                                 right_dampers.push_back({numbered(name + "_right", number), lines.right, damper});
+                         });
     };
-    const auto add_damper = [&](const TableReader& table, const Lines& lines, std::size_t number) {
-        DamperDescription damper = read_any_damper(table, lines.turns);
-        left.dampers.push_back({numbered(name + "_left", number), lines.left, damper});
-        if (lines.sense < 0) turn_over(damper);
-        right_dampers.push_back({numbered(name + "_right", number), lines.right, damper});
-    };
-    for_each_element(axle, "spring", sides, &Composition::spring_line, add_spring);
-    for_each_element(axle, "damper", sides, &Composition::damper_line, add_damper);
+    add_of(axle.left, true, !axle.differ());
+    if (axle.differ()) add_of(*axle.right, false, true);
     right.springs.insert(right.springs.end(), right_springs.begin(), right_springs.end());
     right.dampers.insert(right.dampers.end(), right_dampers.begin(), right_dampers.end());
     if (!sides.left.twist) return;
-    if (const auto table = axle.optional_table("twist_spring")) {
+    if (const auto table = axle.left.optional_table("twist_spring")) {
         LineDescription line;
         line.coordinate = sides.left.twist;
         left.springs.push_back({name + "_twist", line, {table->number("rate_N_m_per_rad", positive), 0}});

@@ -1,12 +1,5 @@
 #include "hamilcar/io/vehicle_tables.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
-#include "hamilcar/linkage/compose.hpp"
 #include "hamilcar/suspension/recipe.hpp"
 #include "hamilcar/tire/mirrored.hpp"
 #include "hamilcar/vehicle/suspension.hpp"
@@ -39,113 +32,57 @@ WheelDescription mirrored_wheel(WheelDescription wheel) {
     return wheel;
 }
 
-// Tells a recorder what keys mean, in a suspension or everywhere.
-void note_meanings(const TableReader& table, const std::vector<HardpointKey>& keys, std::string_view suspension = {}) {
-    for (const HardpointKey& key : keys) table.note(key.key, key.meaning, suspension);
-}
-
-void read_keys(const TableReader& table, const std::vector<HardpointKey>& keys, Hardpoints& to) {
-    for (const HardpointKey& key : keys) {
-        const std::string name(key.key);
-        switch (key.kind) {
-            case HardpointKind::flag:  // `steered` was read before
-                if (!to.numbers.contains(name)) to.numbers[name] = table.boolean(key.key, key.default_value[0] != 0);
-                break;
-            case HardpointKind::number: to.numbers[name] = table.number(key.key, positive, key.default_value[0]); break;
-            case HardpointKind::length:
-                if (table.has(key.key)) to.numbers[name] = table.number(key.key, positive);
-                break;
-            case HardpointKind::direction: to.points[name] = table.unit_direction(key.key, key.default_value); break;
-            case HardpointKind::point:
-                if (key.only_steered && !to.flag("steered")) break;
-                to.points[name] = table.array<3>(key.key);
-        }
-    }
-}
-
-const std::vector<HardpointKey> rocker_keys{{"pivot_m", HardpointKind::point, "a point of the rocker's axis"},
-                                            {"axis", HardpointKind::direction, "of the rocker", {1, 0, 0}},
-                                            {"rod_rocker_m", HardpointKind::point, "push rod, end on the rocker"},
-                                            {"rod_end_m", HardpointKind::point, "push rod, end on the suspension"}};
-
-Hardpoints read_hardpoints(const TableReader& axle, const Recipe& recipe, bool steered, bool has_rocker) {
-    Hardpoints points;
-    points.numbers["steered"] = steered ? 1 : 0;
-    read_keys(axle.table("hardpoints"), recipe.keys, points);
-    note_meanings(axle.table("hardpoints"), recipe.keys, recipe.keyword);
-    for (const auto& [one, other] : recipe.distinct_points) {
-        axle.table("hardpoints")
-            .expect(points[one] != points[other], other, fmt::format("a point apart from '{}'", one));
-    }
-    if (has_rocker) {
-        const TableReader rocker = axle.table("rocker");
-        constexpr std::string_view parts[] = {"lower_arm", "carrier"};
-        points.rod_on = parts[rocker.one_of("rod_on", parts)];
-        read_keys(rocker, rocker_keys, points);
-        note_meanings(rocker, rocker_keys);
-    }
-    return points;
-}
-
-bool is_finite(const Point& p) {
-    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
-// Rods have two ends and axes two bushes, and the wheels move with the linkage alone.
-void check_composition(const TableReader& axle, const Composition& composition, const WheelDescription& wheel) {
-    for (const TreeJointDescription& joint : composition.linkage.joints) {
-        axle.expect(is_finite(joint.axis) && is_finite(joint.second_axis), "hardpoints",
-                    "two points apart for the axis of '" + joint.part + "'");
-    }
-    for (const CutJointDescription& cut : composition.linkage.cuts) {
-        const bool rod = cut.kind == CutJoint::distance || cut.kind == CutJoint::revolute_spherical;
-        axle.expect(!rod || cut.tip != cut.foot, "hardpoints", "two ends apart for '" + cut.name + "'");
-        axle.expect(is_finite(cut.axis), "hardpoints", "two points apart for the axis of '" + cut.name + "'");
-    }
-    std::vector<PartPoint> wheels;
-    for (std::size_t i = 0; i < composition.carriers.size(); ++i) {
-        wheels.push_back({composition.carriers[i], i == 0 ? wheel.center : mirrored(wheel.center)});
-    }
-    const PartitionResult verdict = choose_partition(composition.linkage, wheels);
-    axle.expect(verdict.problem.empty(), "hardpoints",
-                "a linkage that moves with its wheels alone; " + verdict.problem);
-}
-
-SuspensionWheelDescription read_left_wheel(const TableReader& axle, const NamedTires& tires,
-                                           const Composition& composition) {
+SuspensionWheelDescription read_wheel_of(const TableReader& axle, const NamedTires& tires,
+                                         const Composition& composition, std::size_t number) {
     const TableReader table = axle.table("wheel");
     const WheelDescription wheel = read_wheel(table);
-    return {.name = axle.text("name") + "_left",
-            .part = composition.carriers[0],
-            .wheel = wheel,
-            .dual_spacing = table.number("dual_spacing_m", positive, 0),
-            .bump = read_stop(axle.optional_table("bump_stop")),
-            .rebound = read_stop(axle.optional_table("rebound_stop")),
-            .tire = tire_of(axle, tires),
-            .brake = read_brake(axle.optional_table("brake"), wheel),
-            .drive_share = axle.number("drive_share", fraction, 0) / 2,
-            .drive_reaction = composition.drive_reaction};
+    SuspensionWheelDescription out{.name = axle.text("name") + "_left",
+                                   .part = composition.carriers[number],
+                                   .wheel = wheel,
+                                   .dual_spacing = table.number("dual_spacing_m", positive, 0),
+                                   .bump = read_stop(axle.optional_table("bump_stop")),
+                                   .rebound = read_stop(axle.optional_table("rebound_stop")),
+                                   .tire = tire_of(axle, tires),
+                                   .brake = read_brake(axle.optional_table("brake"), wheel),
+                                   .drive_share = axle.number("drive_share", fraction, 0) / 2,
+                                   .drive_reaction = composition.drive_reaction,
+                                   .bar_arm = {}};
+    if (!composition.bar_arms.empty()) out.bar_arm = composition.bar_arms[number];
+    return out;
 }
 
-SuspensionWheelDescription right_wheel(SuspensionWheelDescription wheel, const std::string& axle, std::size_t part) {
+SuspensionWheelDescription mirrored_wheel(SuspensionWheelDescription wheel, const std::string& axle) {
     wheel.name = axle + "_right";
-    wheel.part = part;
     wheel.wheel = mirrored_wheel(wheel.wheel);
     wheel.tire = hamilcar::mirrored(wheel.tire);
     return wheel;
 }
 
-// Bodies of the left side, or of the whole axle: a part and its mirror image are two, a part that is its own is one.
-void add_bodies(const TableReader& axle, const Composition& composition, const WheelDescription& wheel,
-                SuspensionDescription& to) {
+// The bodies of one side; of a suspension that holds both, those that the other side shares belong to the left one.
+void add_bodies(const TableReader& axle, const AxleSides& sides, bool right, SuspensionDescription& to) {
+    const Composition& composition = right ? sides.of_right() : sides.left;
+    const WheelDescription wheel = read_wheel(axle.table("wheel"));
     for (const PartChoice& part : composition.parts) {
         if (!part.has_table || !(part.needs_table || axle.has(part.name))) continue;
-        const bool carries = part.left == composition.carriers[0];
+        const bool shared = sides.hold_both() && part.left == part.right;
+        if (shared && right) continue;
+        const bool carries = !shared && part.left == composition.carriers[0];
         BodyDescription body = read_body(axle.table(part.name), carries ? wheel : WheelDescription{});
-        to.bodies.push_back({part.left, body});
-        if (part.right == part.left) continue;
-        mirror(body);
-        to.bodies.push_back({part.right, body});
+        if (right) mirror(body);
+        to.bodies.push_back({right ? part.right : part.left, body});
+    }
+}
+
+// What is one piece has no right side of its own.
+void check_shared_parts(const AxleTables& axle, const AxleSides& sides) {
+    if (!axle.differ() || !sides.hold_both()) return;
+    const TableReader right = axle.left.table("right");
+    for (const PartChoice& part : sides.left.parts) {
+        if (part.left == part.right && right.has(part.name))
+            right.expect(false, part.name, "no such table: it is one part for both sides");
+    }
+    for (const char* key : {"joint", "cut", "carrier_part", "drive_reaction_part"}) {
+        if (right.has(key)) right.expect(false, key, "no such key: this linkage holds both sides");
     }
 }
 
@@ -163,56 +100,25 @@ void check_sizes(const TableReader& axle, const SuspensionDescription& suspensio
                 at_most("bodies with a mass", max_bodies));
 }
 
-// An axle as one suspension with two wheels, or the left suspension and its mirror image.
-void add_suspensions(const TableReader& axle, const NamedTires& tires, const AxleSides& sides,
+// An axle as one suspension with two wheels, or one on each side.
+void add_suspensions(const AxleTables& axle, const NamedTires& tires, const AxleSides& sides,
                      const SuspensionDescription& named, VehicleDescription& vehicle) {
-    const Composition& composition = sides.left;
-    const bool two_wheels = composition.carriers.size() == 2;
-    SuspensionDescription left = named;
-    left.linkage = composition.linkage;
-    left.wheels = {read_left_wheel(axle, tires, composition)};
-    const bool carrier_holds_both = composition.parts[0].left == composition.parts[0].right && two_wheels;
-    add_bodies(axle, composition, carrier_holds_both ? WheelDescription{} : left.wheels[0].wheel, left);
-    SuspensionDescription right = left;
-    const SuspensionWheelDescription other = right_wheel(left.wheels[0], named.name, sides.right.carriers.back());
-    if (two_wheels) {
-        left.wheels.push_back(other);
-        add_springs_and_dampers(axle, sides, left, left);
-        vehicle.suspensions.push_back(left);
-    } else {
-        left.name = named.name + "_left", right.name = named.name + "_right";
-        right.linkage = sides.right.linkage;
-        right.wheels[0] = other;
-        for (SuspensionBodyDescription& body : right.bodies) mirror(body.body);
-        add_springs_and_dampers(axle, sides, left, right);
-        vehicle.suspensions.push_back(left), vehicle.suspensions.push_back(right);
-    }
-    if (!axle.is_recording()) check_sizes(axle, vehicle.suspensions.back());
-}
-
-// Whether it is steered and has a rocker decides which points and parts an axle has.
-void read_recipe(const TableReader& axle, const Recipe& recipe, bool on_trailer,
-                 const std::function<void(const Composition&, const Composition&)>& use) {
-    const auto compose = [&](bool steered, bool has_rocker) {
-        const Hardpoints points = read_hardpoints(axle, recipe, steered, has_rocker);
-        const Composition left = recipe.compose(points);
-        if (!axle.is_recording()) check_composition(axle, left, read_wheel(axle.table("wheel")));
-        use(left, recipe.two_wheels ? left : recipe.compose(points.mirrored_side()));
-    };
-    const auto read = [&](bool steered) {
-        if (!recipe.may_have_rocker) return compose(steered, false);
-        axle.choose_presence("rocker", [&](bool has_rocker) { compose(steered, has_rocker); });
-    };
-    const auto key = std::ranges::find(recipe.keys, "steered", &HardpointKey::key);
-    if (key == recipe.keys.end()) return read(false);
-    const TableReader points = axle.table("hardpoints");
-    // The driver's rack does not reach a trailer; a schema has one kind of axle for both.
-    const bool by_default = key->default_value[0] != 0 && (!on_trailer || axle.is_recording());
-    points.choose_flag(key->key, by_default, axle, [&](bool steered) {
-        points.expect(!on_trailer || !steered, key->key, "false on a trailer");
-        read(steered);
-    });
-    note_meanings(points, {*key}, recipe.keyword);
+    const bool one = sides.hold_both();
+    check_shared_parts(axle, sides);
+    SuspensionDescription left = named, right = named;
+    left.linkage = sides.left.linkage, right.linkage = sides.right.linkage;
+    left.wheels = {read_wheel_of(axle.left, tires, sides.left, 0)};
+    add_bodies(axle.left, sides, false, left);
+    SuspensionDescription& of_right = one ? left : right;
+    of_right.wheels.push_back(
+        mirrored_wheel(read_wheel_of(axle.of_right(), tires, sides.of_right(), one ? 1 : 0), named.name));
+    add_bodies(axle.of_right(), sides, true, of_right);
+    add_springs_and_dampers(axle, sides, left, of_right);
+    align_axle(axle, sides, left, of_right);
+    if (!one) left.name += "_left", right.name += "_right";
+    if (!axle.left.is_recording()) check_sizes(axle.left, left), check_sizes(axle.of_right(), of_right);
+    vehicle.suspensions.push_back(left);
+    if (!one) vehicle.suspensions.push_back(right);
 }
 
 std::vector<std::string_view> suspension_keywords() {
@@ -222,29 +128,27 @@ std::vector<std::string_view> suspension_keywords() {
     return words;
 }
 
+// Keys that an axle has for both of its sides.
+constexpr std::string_view of_both_sides[] = {"name",         "suspension",         "drive_share",
+                                              "twist_spring", "right_carrier_part", "right"};
+
 }  // namespace
 
 void read_axle(const TableReader& axle, const NamedTires& tires, std::size_t unit, VehicleDescription& vehicle) {
     const std::size_t first_wheel = wheel_count(vehicle);
     const std::vector<std::string_view> words = suspension_keywords();
+    const AxleTables tables{axle, axle.laid_over("right", of_both_sides)};
     axle.choose("suspension", words, {}, [&](std::size_t word) {
         SuspensionDescription named;
         named.name = axle.text("name"), named.keyword = words[word], named.unit = unit;
-        if (const Recipe* recipe = find_recipe(words[word])) {
-            read_recipe(axle, *recipe, unit > 0, [&](const Composition& left, const Composition& right) {
-                add_suspensions(axle, tires, {left, right, recipe->spring_part}, named, vehicle);
-            });
-            return;
-        }
-        axle.choose_presence("right_carrier_part", [&](bool two_wheels) {
-            const Composition left = read_linkage(axle, read_wheel(axle.table("wheel")), two_wheels, unit > 0);
-            const Composition right = two_wheels ? left : mirrored_composition(left);
-            add_suspensions(axle, tires, {left, right, left.parts[0].name}, named, vehicle);
-        });
+        const auto add = [&](const AxleSides& sides) {
+            add_suspensions(tables, tires, sides, named, vehicle);
+            if (sides.bar_rate) vehicle.anti_roll_bars.push_back({first_wheel, first_wheel + 1, *sides.bar_rate});
+        };
+        if (const Recipe* recipe = find_recipe(words[word])) return read_recipe(tables, *recipe, unit > 0, add);
+        read_own_linkage(tables, unit > 0, add);
     });
-    if (const auto bar = axle.optional_table("anti_roll_bar")) {
-        vehicle.anti_roll_bars.push_back({first_wheel, first_wheel + 1, bar->number("rate_N_per_m", not_negative)});
-    }
+    axle.note_laid_over("right", of_both_sides, tables.right);
 }
 
 }  // namespace hamilcar::io

@@ -23,17 +23,6 @@ struct Mistake {
     std::string text;
 };
 
-// What may be in a table once it is known what cannot be told from the file: with a wrong word any branch may be meant.
-void loosen(TableRecord& table) {
-    TableRecord all;
-    join(all, table);
-    table = std::move(all);
-    for (KeyRecord& key : table.keys) {
-        key.may_miss = true;
-        if (!key.below.empty()) loosen(key.below[0]);
-    }
-}
-
 class Comparison {
 public:
     void compare(const Node& node, const std::string& path, const TableRecord& format) {

@@ -211,6 +211,29 @@ void TableRecord::note(std::string_view key, std::string_view meaning, std::stri
     if (KeyRecord* known = here().find(key)) known->meanings = {{std::string(meaning), std::string(where)}};
 }
 
+void TableRecord::note_overlay(std::string_view key, std::span<const std::string_view> fixed) {
+    TableRecord above = *this;
+    loosen(above);
+    std::erase_if(above.keys, [&](const KeyRecord& one) {
+        return one.key == key || std::ranges::find(fixed, one.key) != fixed.end();
+    });
+    for (KeyRecord& one : above.keys) {
+        if (one.key == any_name) one.below.clear();  // which one it is, only a reader of both tables knows
+    }
+    has(key);
+    join(table(key, Shape::table), above);
+}
+
+void loosen(TableRecord& table) {
+    TableRecord all;
+    join(all, table);
+    table = std::move(all);
+    for (KeyRecord& key : table.keys) {
+        key.may_miss = true;
+        if (!key.below.empty()) loosen(key.below[0]);
+    }
+}
+
 void join(TableRecord& to, const TableRecord& other) {
     for (const KeyRecord& key : other.keys) {
         KeyRecord& known = add(to, key);

@@ -94,6 +94,8 @@ struct TableRecord {
     TableRecord& table(std::string_view key, unsigned shape);  // a table, or each table of a list
     // Goes all ways.
     void choose(Choice choice, std::size_t count, const std::function<void(std::size_t)>& read);
+    // A table at `key` may hold what this one may, but for `fixed`.
+    void note_overlay(std::string_view key, std::span<const std::string_view> fixed);
     // What a key means, if it was asked for.
     void note(std::string_view key, std::string_view meaning, std::string_view where);
 
@@ -110,6 +112,9 @@ private:
 void join(TableRecord& to, const TableRecord& other);
 // Adds what stands in another record of the same table, with its choices.
 void merge(TableRecord& to, const TableRecord& other);
+
+// What may be in a table once it is known what cannot be told from the file: with a wrong word any branch may be meant.
+void loosen(TableRecord& table);
 
 TableRecord record_keys(const std::function<void(const TableReader&)>& read);
 

@@ -1,6 +1,7 @@
 #include "hamilcar/io/vehicle_tables.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "hamilcar/linkage/compose.hpp"
 
@@ -38,9 +39,9 @@ TreeJointDescription read_joint(const TableReader& table, const LinkageDescripti
     joint.part = table.text("part");
     const auto names = part_names(before, true);
     constexpr std::string_view taken[] = {
-        "name",   "suspension", "tire",           "hardpoints",     "wheel",       "spring",
-        "damper", "bump_stop",  "rebound_stop",   "anti_roll_bar",  "brake",       "joint",
-        "cut",    "rocker",     "further_spring", "further_damper", "twist_spring"};
+        "name",           "suspension",     "tire",          "hardpoints", "wheel",    "spring", "damper",
+        "bump_stop",      "rebound_stop",   "anti_roll_bar", "brake",      "joint",    "cut",    "rocker",
+        "further_spring", "further_damper", "twist_spring",  "right",      "alignment"};
     table.expect(std::ranges::find(taken, joint.part) == std::end(taken), "part",
                  "a name that no other table of an axle has");
     table.expect(std::ranges::find(names, joint.part) == names.end(), "part", "a name that no other part has");
@@ -49,7 +50,8 @@ TreeJointDescription read_joint(const TableReader& table, const LinkageDescripti
     return joint;
 }
 
-CutJointDescription read_cut(const TableReader& table, const LinkageDescription& tree, bool on_trailer) {
+CutJointDescription read_cut(const TableReader& table, const LinkageDescription& tree, bool on_trailer,
+                             std::vector<Adjuster>& adjusters) {
     constexpr std::string_view kinds[] = {"distance", "plane", "line", "revolute_spherical", "spherical"};
     CutJointDescription cut;
     cut.name = table.text("name");
@@ -64,6 +66,12 @@ CutJointDescription read_cut(const TableReader& table, const LinkageDescription&
         }
         if (cut.kind != CutJoint::distance && cut.kind != CutJoint::spherical) cut.axis = table.direction("axis");
     });
+    if (table.has("sets")) {
+        const WheelAngle angle = static_cast<WheelAngle>(table.one_of("sets", std::span(wheel_angle_names).first(2)));
+        table.expect(cut.kind == CutJoint::distance || table.is_recording(), "sets",
+                     "no such key but on a cut of kind 'distance'");
+        adjusters.push_back({angle, cut.name});
+    }
     if (table.has("drive")) {
         cut.drive = table.unit_direction("drive");
         table.expect(!on_trailer, "drive", "no such key on a trailer: the driver's rack does not reach it");
@@ -90,7 +98,7 @@ Composition read_linkage(const TableReader& axle, const WheelDescription& wheel,
     for (const TableReader& joint : axle.tables("joint")) out.linkage.joints.push_back(read_joint(joint, out.linkage));
     if (axle.has("cut")) {
         for (const TableReader& cut : axle.tables("cut"))
-            out.linkage.cuts.push_back(read_cut(cut, out.linkage, on_trailer));
+            out.linkage.cuts.push_back(read_cut(cut, out.linkage, on_trailer, out.adjusters));
     }
     const std::size_t carrier = part(axle, "carrier_part", out.linkage);
     out.carriers = {carrier};

@@ -26,6 +26,25 @@ std::string at_index(const std::string& path, std::size_t index) {
     return path + "[" + std::to_string(index) + "]";
 }
 
+// What was asked for in one table counts as asked in another one, and in those below.
+void take_known(Node& from, Node& to) {
+    if (auto* list = std::get_if<ListValue>(&to.value)) {
+        auto* items = std::get_if<ListValue>(&from.value);
+        for (std::size_t i = 0; items && i < list->items.size(); ++i) {
+            for (std::size_t k = 0; k < items->items.size(); ++k) {
+                if (item_path("", list->items[i], i) == item_path("", items->items[k], k))
+                    take_known(items->items[k], list->items[i]);
+            }
+        }
+        return;
+    }
+    if (!std::holds_alternative<TableValue>(to.value) || !std::holds_alternative<TableValue>(from.value)) return;
+    for (const std::string& key : as_table(from).known) as_table(to).known.push_back(key);
+    for (Node& entry : as_table(to).entries) {
+        if (Node* same = from.find(entry.key)) take_known(*same, entry);
+    }
+}
+
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();  // a number, where there is no file
 
 std::string describe(const Range& range, std::string_view key) {
@@ -262,6 +281,31 @@ NamedValues TableReader::named_values() const {
         }
     }
     return result;
+}
+
+std::string TableReader::text_if_there(std::string_view key) const {
+    const Node* node = record_ ? nullptr : node_->find(key);
+    const auto* value = node ? std::get_if<std::string>(&node->value) : nullptr;
+    return value ? *value : "";
+}
+
+std::optional<TableReader> TableReader::laid_over(std::string_view key, std::span<const std::string_view> fixed) const {
+    if (record_ || !has(key)) return {};
+    const TableReader above = table(key);
+    for (const std::string_view one : fixed) {
+        if (const Node* node = above.node_->find(one))
+            reject(*node, above.full(one), "it where both sides are told, in " + (path_.empty() ? "the file" : path_));
+    }
+    const auto own = std::make_shared<Node>(io::laid_over(*node_, key));
+    TableReader out(*own, full(key));
+    out.own_ = own;
+    return out;
+}
+
+void TableReader::note_laid_over(std::string_view key, std::span<const std::string_view> fixed,
+                                 const std::optional<TableReader>& read) const {
+    if (record_) return record_->note_overlay(key, fixed);
+    if (read) take_known(*read->node_, *find(key));
 }
 
 void TableReader::expect(bool condition, std::string_view key, const std::string& expectation) const {

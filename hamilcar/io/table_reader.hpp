@@ -18,6 +18,7 @@
 #include <initializer_list>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -89,6 +90,8 @@ public:
     std::optional<double> number_or(std::string_view word, std::string_view key, const Range& range) const;
     bool boolean(std::string_view key, bool fallback) const;
     std::string text(std::string_view key) const;
+    // What stands there as a text, for a look ahead; empty otherwise.
+    std::string text_if_there(std::string_view key) const;
     std::vector<std::string> texts(std::string_view key) const;  // empty if absent
     // The text as a path, resolved against the folder of the file that it stands in.
     std::string path_to_file(std::string_view key) const;
@@ -127,6 +130,13 @@ public:
     // True and false are the words "yes" and "no".
     NamedValues named_values() const;
 
+    // This table with the keys of the one at `key` laid over it, among which none of `fixed` may be; nothing where there is none. What
+    // was read from it is then to be told to `note_laid_over`, which knows the keys of the one at `key` by it. Without a file the latter
+    // notes that the one at `key` may hold what this one may.
+    std::optional<TableReader> laid_over(std::string_view key, std::span<const std::string_view> fixed) const;
+    void note_laid_over(std::string_view key, std::span<const std::string_view> fixed,
+                        const std::optional<TableReader>& read) const;
+
     // A mistake unless `condition`; `expectation` is a phrase, the unit is added.
     void expect(bool condition, std::string_view key, const std::string& expectation) const;
     // After everything was read: keys that were not asked for, here and in all tables below, are mistakes.
@@ -145,6 +155,7 @@ private:
     [[noreturn]] void reject(const Node& value, const std::string& path, const std::string& expectation) const;
 
     Node* node_ = nullptr;
+    std::shared_ptr<Node> own_{};    // where it stands in no document
     TableRecord* record_ = nullptr;  // instead of a file
     std::string path_;
 };

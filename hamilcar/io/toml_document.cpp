@@ -136,6 +136,18 @@ void merge(Node& base, Node top) {
     base = std::move(top);  // with the place of the file on top: there a missing key has to be added
 }
 
+// Its own way to say something counts, against one in the same file.
+void bring_nearer(Node& node, std::unordered_map<const SourceFile*, std::shared_ptr<const SourceFile>>& files) {
+    std::shared_ptr<const SourceFile>& nearer = files[node.file.get()];
+    if (!nearer) nearer = std::make_shared<SourceFile>(node.file->path, node.file->text, node.file->generation - 1);
+    node.file = nearer;
+    const auto below = [&](std::vector<Node>& nodes) {
+        for (Node& one : nodes) bring_nearer(one, files);
+    };
+    if (auto* table = std::get_if<TableValue>(&node.value)) below(table->entries);
+    if (auto* list = std::get_if<ListValue>(&node.value)) below(list->items);
+}
+
 // Takes the key `base` out of a file's table; an empty path if there is none.
 Reference take_base(Node& top) {
     TableValue& table = std::get<TableValue>(top.value);
@@ -256,6 +268,15 @@ Node typed_value(const std::string& where, const std::string& text) {
     Node node = convert(*root.get("value"), file);
     place_outside_files(node);
     return node;
+}
+
+Node laid_over(const Node& table, std::string_view key) {
+    Node below = table, above = *table.find(key);
+    std::erase_if(std::get<TableValue>(below.value).entries, [&](const Node& entry) { return entry.key == key; });
+    std::unordered_map<const SourceFile*, std::shared_ptr<const SourceFile>> nearer;
+    bring_nearer(above, nearer);
+    merge(below, std::move(above));
+    return below;
 }
 
 std::string item_path(const std::string& list, const Node& item, std::size_t number) {

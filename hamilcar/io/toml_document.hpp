@@ -56,6 +56,9 @@ Node parse_toml(const std::string& name, const std::string& text);
 // What a person typed in a value's place, as TOML has it; what is no TOML is a text. `where` names the place in messages.
 Node typed_value(const std::string& where, const std::string& text);
 
+// A table without the table at `key`, whose keys are laid over it as a file's over those of its base.
+Node laid_over(const Node& table, std::string_view key);
+
 // Of all keys of a file and of what it starts from.
 std::shared_ptr<const Places> places_of(const Node& document);
 

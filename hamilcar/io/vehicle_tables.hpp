@@ -1,6 +1,7 @@
 // The readers of the tables of a vehicle file, from bodies to axles: vehicle_file.cpp puts them together.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -37,15 +38,44 @@ Composition read_linkage(const TableReader& axle, const WheelDescription& wheel,
 // The right side of a linkage with one wheel.
 Composition mirrored_composition(Composition left);
 
-// An axle's two sides, which are one composition where one suspension carries both wheels.
-struct AxleSides {
-    const Composition &left, &right;
-    std::string_view default_part;  // that springs act on unless the file says otherwise
+// An axle as it stands in the file, and with the keys of [axle.right], as a left side, laid over it.
+struct AxleTables {
+    const TableReader& left;
+    std::optional<TableReader> right{};  // none: the right side is the mirror image of the left one
+
+    bool differ() const { return right.has_value(); }
+    const TableReader& of_right() const { return right ? *right : left; }
 };
-// [axle.spring], [[axle.further_spring]], and likewise dampers. Each is given for the left side and comes with its mirror image.
+
+// An axle's two sides. Where one suspension carries both wheels, the left composition is that of both.
+struct AxleSides {
+    Composition left, right;
+    std::string_view default_part;     // that springs act on unless the file says otherwise
+    std::optional<double> bar_rate{};  // of an anti-roll bar [N/m], or [N m/rad] where the compositions have its arms
+
+    bool hold_both() const { return left.carriers.size() == 2; }
+    const Composition& of_right() const { return hold_both() ? left : right; }
+};
+using UseSides = std::function<void(const AxleSides&)>;
+
+// The part that a key names, and all names.
+const PartChoice& part_of(const TableReader& table, std::string_view key, const Composition& composition,
+                          std::string_view fallback);
+std::vector<std::string_view> part_names(const Composition& composition);
+
+// Calls `use` with the compositions of a recipe, or of a file's own linkage, with everything that is attached to them: once, or as often
+// as the keys may differ where there is no file.
+void read_recipe(const AxleTables& axle, const Recipe& recipe, bool on_trailer, const UseSides& use);
+void read_own_linkage(const AxleTables& axle, bool on_trailer, const UseSides& use);
+
+// [axle.spring], [[axle.further_spring]], and likewise dampers. Each is given as on the left side; the right side has its mirror image.
 // The two suspensions may be one.
-void add_springs_and_dampers(const TableReader& axle, const AxleSides& sides, SuspensionDescription& left,
+void add_springs_and_dampers(const AxleTables& axle, const AxleSides& sides, SuspensionDescription& left,
                              SuspensionDescription& right);
+
+// [axle.alignment]: sets the angles of the wheels.
+void align_axle(const AxleTables& axle, const AxleSides& sides, SuspensionDescription& left,
+                SuspensionDescription& right);
 
 // Adds an axle's suspensions, one with two wheels or one on each side, to the vehicle; `unit` is what they hang on.
 void read_axle(const TableReader& axle, const NamedTires& tires, std::size_t unit, VehicleDescription& vehicle);

@@ -50,7 +50,7 @@ void add_equations(const CutJointDescription& cut, int part, int base, std::vect
         case CutJoint::line: plane(across(axis).first); return plane(across(axis).second);
         case CutJoint::spherical: plane(x_axis), plane(y_axis); return plane(z_axis);
         case CutJoint::revolute_spherical: {
-            const Vec3<double> nearest = foot + axis * axis.dot(tip - foot);
+            const Vec3<double> nearest = foot + axis * cut.offset.value_or(axis.dot(tip - foot));
             to.push_back({1, part, base, tip, nearest, axis, drive, 0});
             return distance(nearest);
         }

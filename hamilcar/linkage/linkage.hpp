@@ -130,12 +130,8 @@ struct Linkage {
     LineOfAction<T> line(const ForceLine<T>& where, const LinkagePosition<T>& at, const T* V, const T* W) const {
         LineOfAction<T> out;
         if (where.coordinate >= 0) {
-            out.length = T(0);
-            for (int i = 0; i < nV(); ++i) out.length = independent[i] == where.coordinate ? V[i] : out.length;
-            for (int i = 0; i < nW(); ++i) out.length = dependent[i] == where.coordinate ? W[i] : out.length;
+            out = along(where.coordinate, at, V, W);
             out.length += where.at_design;
-            out.gradient = at.Y[where.coordinate];
-            out.prescribed_rate = at.X[where.coordinate];
             return out;
         }
         const Vec3<T> p = at.pose[where.part].point(where.on_part);
@@ -143,6 +139,23 @@ struct Linkage {
         const T square = d.squaredNorm();
         out.length = sqrt(square);
         along(Vec3<T>(d * over_root(T(1), square)), p, where.part, where.base, at.own, out);
+        return out;
+    }
+
+    // Of a coordinate: zero at design.
+    T value(int coordinate, const T* V, const T* W) const {
+        T out(0);
+        for (int i = 0; i < nV(); ++i) out = independent[i] == coordinate ? V[i] : out;
+        for (int i = 0; i < nW(); ++i) out = dependent[i] == coordinate ? W[i] : out;
+        return out;
+    }
+
+    // Along, or about, a coordinate.
+    LineOfAction<T> along(int coordinate, const LinkagePosition<T>& at, const T* V, const T* W) const {
+        LineOfAction<T> out;
+        out.length = value(coordinate, V, W);
+        out.gradient = at.Y[coordinate];
+        out.prescribed_rate = at.X[coordinate];
         return out;
     }
 

@@ -115,6 +115,8 @@ std::vector<Figure> figures_of(const VehicleFigures& f) {
                             {"center of mass behind the front axle", "m", "", f.center_of_mass[0]},
                             {"center of mass height", "m", "over the road at rest", f.center_of_mass[2]},
                             {"static stability factor", "1", "", f.static_stability_factor}};
+    if (!std::isnan(f.cross_weight))
+        out.push_back({"cross weight", "%", "front right and rear left", 100 * f.cross_weight});
     for (const StandingAxle& axle : f.axles) {
         out.push_back({axle.name + " track", "m", "", axle.track});
         out.push_back({axle.name + " load", "N", "at rest", axle.load});

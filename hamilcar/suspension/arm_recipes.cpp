@@ -42,6 +42,7 @@ Composition h_arm(const Hardpoints& p) {
     out.linkage.independent = {0};
     out.parts = {{"carrier", carrier, carrier, true, true}, {"lower_arm", arm, arm, true, false}};
     out.carriers = {carrier};
+    out.adjusters = {{WheelAngle::camber, "camber link"}};
     return out;
 }
 

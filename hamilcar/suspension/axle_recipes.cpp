@@ -14,22 +14,24 @@ Point middle(const Point& p) {
     return {p[0], 0, p[2]};
 }
 
-// A link on the left and its mirror image.
-void add_pair(Composition& to, const std::string& name, std::size_t axle, const Point& tip, const Point& foot) {
-    to.cut(CutJoint::distance, "left " + name, axle, tip, 0, foot);
-    to.cut(CutJoint::distance, "right " + name, axle, mirrored(tip), 0, mirrored(foot));
+// A link on the left and one on the right.
+void add_pair(Composition& to, const Hardpoints& p, const std::string& name, std::string_view tip,
+              std::string_view foot) {
+    constexpr std::size_t axle = 1;
+    to.cut(CutJoint::distance, "left " + name, axle, p[tip], 0, p[foot]);
+    to.cut(CutJoint::distance, "right " + name, axle, p.right(tip), 0, p.right(foot));
 }
 
 // Knuckles on kingpins, tied together; a drag link from the steering gear moves the left one.
 void add_steering(Composition& to, const Hardpoints& p, std::size_t axle) {
-    const Point lower = p["kingpin_lower_m"], upper = p["kingpin_upper_m"];
-    const std::size_t left = to.hinge("left knuckle", axle, lower, upper);
-    const std::size_t right = to.hinge("right knuckle", axle, mirrored(lower), mirrored(upper));
-    to.cut(CutJoint::distance, "tie rod", left, p["tie_rod_m"], right, mirrored(p["tie_rod_m"]));
+    const std::size_t left = to.hinge("left knuckle", axle, p["kingpin_lower_m"], p["kingpin_upper_m"]);
+    const std::size_t right = to.hinge("right knuckle", axle, p.right("kingpin_lower_m"), p.right("kingpin_upper_m"));
+    to.cut(CutJoint::distance, "tie rod", left, p["tie_rod_m"], right, p.right("tie_rod_m"));
     to.cut(CutJoint::distance, "drag link", left, p["drag_link_knuckle_m"], 0, p["drag_link_body_m"]).drive =
         p["rack_axis"];
     to.parts = {{"carrier", left, right, true, true}, {"beam", axle, axle, true, true}, {"axle", axle, axle}};
     to.carriers = {left, right};
+    to.adjusters = {{WheelAngle::toe, "tie rod"}, {WheelAngle::toe, "drag link"}};
 }
 
 // An axle that is free in space, about `center`.
@@ -50,14 +52,14 @@ Composition& steer_if_requested(Composition& axle, const Hardpoints& p) {
 
 Composition four_link(const Hardpoints& p) {
     Composition out = free_axle(p["lower_axle_m"]);
-    add_pair(out, "lower link", 1, p["lower_axle_m"], p["lower_body_m"]);
-    add_pair(out, "upper link", 1, p["upper_axle_m"], p["upper_body_m"]);
+    add_pair(out, p, "lower link", "lower_axle_m", "lower_body_m");
+    add_pair(out, p, "upper link", "upper_axle_m", "upper_body_m");
     return steer_if_requested(out, p);
 }
 
 Composition three_links(const Hardpoints& p) {
     Composition out = free_axle(p["lower_axle_m"]);
-    add_pair(out, "lower link", 1, p["lower_axle_m"], p["lower_body_m"]);
+    add_pair(out, p, "lower link", "lower_axle_m", "lower_body_m");
     out.cut(CutJoint::distance, "upper link", 1, p["upper_axle_m"], 0, p["upper_body_m"]);
     return out;
 }
@@ -80,12 +82,17 @@ Composition watt(const Hardpoints& p) {
 // Links equivalent to the leaves (SAE HS-788): as a leaf bends, its seat moves on an arc about a point between eye and seat,
 // and keeps its inclination. A central link parallel to those of the leaves takes the wind-up; sideways the leaves are stiff.
 Composition leaf(const Hardpoints& p) {
-    const Point eye = p["front_eye_m"], seat = p["seat_m"];
-    const double share = p.number("link_share");
-    Point pivot;
-    for (std::size_t i = 0; i < 3; ++i) pivot[i] = seat[i] + share * (eye[i] - seat[i]);
+    const auto pivot_of = [&](const Point& eye, const Point& seat) {
+        Point pivot;
+        for (std::size_t i = 0; i < 3; ++i) pivot[i] = seat[i] + p.number("link_share") * (eye[i] - seat[i]);
+        return pivot;
+    };
+    const Point seat = p["seat_m"], right_seat = p.right("seat_m");
+    const Point pivot = pivot_of(p["front_eye_m"], seat), right_pivot = pivot_of(p.right("front_eye_m"), right_seat);
     Composition out = free_axle(seat);
-    add_pair(out, "leaf", 1, seat, pivot);
+    out.links_are_equivalent = true;
+    out.cut(CutJoint::distance, "left leaf", 1, seat, 0, pivot);
+    out.cut(CutJoint::distance, "right leaf", 1, right_seat, 0, right_pivot);
     constexpr double raised = 0.15;  // of the central link [m]; a parallel link steers the same wherever it is
     Point tip = middle(seat), foot = middle(pivot);
     tip[2] += raised, foot[2] += raised;
@@ -98,11 +105,11 @@ Composition leaf(const Hardpoints& p) {
 // both, the middle of the beam stays in the middle plane: symmetric, and free in heave and twist.
 Composition twist_beam(const Hardpoints& p) {
     Composition out;
-    const Point bush = p["bush_m"], beam = middle(p["beam_m"]), lateral{0, 1, 0};
+    const Point bush = p["bush_m"], right_bush = p.right("bush_m"), beam = middle(p["beam_m"]), lateral{0, 1, 0};
     const std::size_t left = out.join(TreeJoint::free, "left arm", 0, beam);
     const std::size_t right = out.join(TreeJoint::revolute, "right arm", left, beam, lateral);
     out.cut(CutJoint::line, "left bush", left, bush, 0, bush).axis = lateral;
-    out.cut(CutJoint::line, "right bush", right, mirrored(bush), 0, mirrored(bush)).axis = lateral;
+    out.cut(CutJoint::line, "right bush", right, right_bush, 0, right_bush).axis = lateral;
     out.cut(CutJoint::plane, "bushes' side", left, beam, 0, beam).axis = lateral;
     out.linkage.independent = {5, 6};  // the left arm's angle, the twist
     out.twist = 6;
@@ -114,13 +121,18 @@ Composition twist_beam(const Hardpoints& p) {
 // Appends the keys that a steered solid axle needs.
 std::vector<HardpointKey> with_steering(std::vector<HardpointKey> keys) {
     const std::vector<HardpointKey> steering{
-        {"steered", HardpointKind::flag, "whether the wheels turn on kingpins", {0}},
+        {"steered", HardpointKind::flag, "whether the wheels turn on kingpins", {0}, false, true},
         {"kingpin_lower_m", point, "left kingpin, lower end", {}, true},
         {"kingpin_upper_m", point, "left kingpin, upper end", {}, true},
         {"tie_rod_m", point, "tie rod, end on the left knuckle; the other is its mirror image", {}, true},
-        {"drag_link_body_m", point, "drag link, end at the steering gear", {}, true},
-        {"drag_link_knuckle_m", point, "drag link, end on the left knuckle", {}, true},
-        {"rack_axis", HardpointKind::direction, "in which a positive rack moves the drag link's end", {0, 1, 0}}};
+        {"drag_link_body_m", point, "drag link, end at the steering gear", {}, true, true},
+        {"drag_link_knuckle_m", point, "drag link, end on the left knuckle", {}, true, true},
+        {"rack_axis",
+         HardpointKind::direction,
+         "in which a positive rack moves the drag link's end",
+         {0, 1, 0},
+         false,
+         true}};
     keys.insert(keys.end(), steering.begin(), steering.end());
     return keys;
 }
@@ -138,8 +150,8 @@ std::map<std::string_view, Point> with_steering_points(std::map<std::string_view
 
 const HardpointKey lower_body{"lower_body_m", point, "left lower link, end on the chassis"};
 const HardpointKey lower_axle{"lower_axle_m", point, "left lower link, end on the axle"};
-const HardpointKey upper_body{"upper_body_m", point, "upper link, end on the chassis"};
-const HardpointKey upper_axle{"upper_axle_m", point, "upper link, end on the axle"};
+const HardpointKey upper_body{"upper_body_m", point, "upper link, end on the chassis", {}, false, true};
+const HardpointKey upper_axle{"upper_axle_m", point, "upper link, end on the axle", {}, false, true};
 
 }  // namespace
 
@@ -168,8 +180,8 @@ const Recipe panhard_axle_recipe{
                            lower_axle,
                            upper_body,
                            upper_axle,
-                           {"panhard_body_m", point, "Panhard rod, end on the chassis"},
-                           {"panhard_axle_m", point, "Panhard rod, end on the axle"}}),
+                           {"panhard_body_m", point, "Panhard rod, end on the chassis", {}, false, true},
+                           {"panhard_axle_m", point, "Panhard rod, end on the axle", {}, false, true}}),
     .spring_part = "axle",
     .compose = panhard,
     .typical = {.points = with_steering_points({{"lower_body_m", {0.669, 0.404, 0.315}},
@@ -189,12 +201,12 @@ const Recipe watt_axle_recipe{
                            lower_axle,
                            upper_body,
                            upper_axle,
-                           {"watt_pivot_m", point, "pivot of the bell crank on the axle"},
-                           {"watt_axis", HardpointKind::direction, "axis of the bell crank", {1, 0, 0}},
-                           {"watt_left_crank_m", point, "left rod, end on the bell crank"},
-                           {"watt_left_body_m", point, "left rod, end on the chassis"},
-                           {"watt_right_crank_m", point, "right rod, end on the bell crank"},
-                           {"watt_right_body_m", point, "right rod, end on the chassis"}}),
+                           {"watt_pivot_m", point, "pivot of the bell crank on the axle", {}, false, true},
+                           {"watt_axis", HardpointKind::direction, "axis of the bell crank", {1, 0, 0}, false, true},
+                           {"watt_left_crank_m", point, "left rod, end on the bell crank", {}, false, true},
+                           {"watt_left_body_m", point, "left rod, end on the chassis", {}, false, true},
+                           {"watt_right_crank_m", point, "right rod, end on the bell crank", {}, false, true},
+                           {"watt_right_body_m", point, "right rod, end on the chassis", {}, false, true}}),
     .spring_part = "axle",
     .compose = watt,
     .typical = {.points = with_steering_points({{"lower_body_m", {0.589, 0.458, 0.332}},
@@ -213,9 +225,10 @@ const Recipe leaf_axle_recipe{
     .keyword = "leaf_axle",
     .title = "Solid axle on leaf springs",
     .two_wheels = true,
-    .keys = with_steering({{"front_eye_m", point, "left leaf, fixed eye"},
-                           {"seat_m", point, "left leaf, seat on the axle"},
-                           {"link_share", HardpointKind::number, "equivalent link over eye to seat", {0.75}}}),
+    .keys =
+        with_steering({{"front_eye_m", point, "left leaf, fixed eye"},
+                       {"seat_m", point, "left leaf, seat on the axle"},
+                       {"link_share", HardpointKind::number, "equivalent link over eye to seat", {0.75}, false, true}}),
     .spring_part = "axle",
     .compose = leaf,
     .typical = {.points = with_steering_points({{"front_eye_m", {0.57, 0.502, 0.335}}, {"seat_m", {0, 0.502, 0.359}}}),
@@ -227,7 +240,7 @@ const Recipe twist_beam_recipe{
     .title = "Twist beam",
     .two_wheels = true,
     .keys = {{"bush_m", point, "left bush on the chassis"},
-             {"beam_m", point, "a point of the beam's shear center line; its middle is taken"}},
+             {"beam_m", point, "a point of the beam's shear center line; its middle is taken", {}, false, true}},
     .spring_part = "carrier",
     .compose = twist_beam,
     .typical = {.points = {{"bush_m", {0.415, 0.553, 0.325}}, {"beam_m", {0.276, 0, 0.324}}},

@@ -20,6 +20,7 @@ Composition integral_link(const Hardpoints& p) {
     out.linkage.independent = {0};  // the arm's angle
     out.parts = {{"carrier", carrier, carrier, true, true}, {"lower_arm", arm, arm, true, false}};
     out.carriers = {carrier};
+    out.adjusters = {{WheelAngle::toe, "toe link"}, {WheelAngle::camber, "camber link"}};
     return out;
 }
 
@@ -28,18 +29,22 @@ Composition integral_link(const Hardpoints& p) {
 const Recipe integral_link_recipe{
     .keyword = "integral_link",
     .title = "Integral link",
-    .keys =
-        {{"arm_front_m", point, "lower arm's axis on the chassis, front bush"},
-         {"arm_rear_m", point, "lower arm's axis on the chassis, rear bush"},
-         {"arm_ball_m", point, "lower arm's ball on the carrier"},
-         {"integral_link_arm_m", point, "integral link, end on the lower arm"},
-         {"integral_link_carrier_m", point, "integral link, end on the carrier"},
-         {"camber_link_body_m", point, "upper link, end on the chassis"},
-         {"camber_link_carrier_m", point, "upper link, end on the carrier"},
-         {"toe_link_body_m", point, "toe link, end on the chassis or rack"},
-         {"toe_link_carrier_m", point, "toe link, end on the carrier"},
-         {"steered", HardpointKind::flag, "whether the rack moves the toe link's inner end", {0}},
-         {"rack_axis", HardpointKind::direction, "in which a positive rack displacement moves that end", {0, 1, 0}}},
+    .keys = {{"arm_front_m", point, "lower arm's axis on the chassis, front bush"},
+             {"arm_rear_m", point, "lower arm's axis on the chassis, rear bush"},
+             {"arm_ball_m", point, "lower arm's ball on the carrier"},
+             {"integral_link_arm_m", point, "integral link, end on the lower arm"},
+             {"integral_link_carrier_m", point, "integral link, end on the carrier"},
+             {"camber_link_body_m", point, "upper link, end on the chassis"},
+             {"camber_link_carrier_m", point, "upper link, end on the carrier"},
+             {"toe_link_body_m", point, "toe link, end on the chassis or rack"},
+             {"toe_link_carrier_m", point, "toe link, end on the carrier"},
+             {"steered", HardpointKind::flag, "whether the rack moves the toe link's inner end", {0}, false, true},
+             {"rack_axis",
+              HardpointKind::direction,
+              "in which a positive rack displacement moves that end",
+              {0, 1, 0},
+              false,
+              true}},
     .spring_part = "lower_arm",
     .compose = integral_link,
     .typical = {.points = {{"arm_front_m", {0.289, 0.266, 0.225}},

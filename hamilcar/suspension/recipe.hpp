@@ -29,17 +29,24 @@ struct HardpointKey {
     std::string_view meaning;
     Point default_value{};      // of a direction, or of a flag or a number in its first element
     bool only_steered = false;  // a point that is required only if the axle is steered
+    bool shared = false;        // of a suspension with two wheels: there is one for both sides
 };
 
 // What was read, by key; flags are 0 or 1.
 struct Hardpoints {
     std::map<std::string, Point, std::less<>> points;
     std::map<std::string, double, std::less<>> numbers;
+    std::map<std::string, Point, std::less<>> right_points{};  // of a right side that differs, as a left one's
     std::string rod_on;  // of a rocker: the part that the rod's other end sits on; empty without a rocker
 
     const Point& operator[](std::string_view key) const { return points.find(key)->second; }
     bool flag(std::string_view key) const { return number(key) != 0; }
     double number(std::string_view key) const { return numbers.find(key)->second; }
+    // On the right side of a suspension that carries both wheels.
+    Point right(std::string_view key) const {
+        const auto own = right_points.find(key);
+        return mirrored(own == right_points.end() ? (*this)[key] : own->second);
+    }
     Hardpoints mirrored_side() const {
         Hardpoints other = *this;
         for (auto& [key, point] : other.points) {
@@ -60,13 +67,37 @@ struct PartChoice {
 double distance(const Point& a, const Point& b);
 // Unit vector from a to b.
 Point direction_between(const Point& a, const Point& b);
+Point cross(const Point& a, const Point& b);
+// Of the universal joint at the inner end of a link: one lifts its outer end, the other sweeps it; about neither the link spins.
+std::array<Point, 2> link_axes(const Point& inner, const Point& outer);
+
+// An angle of a wheel that is set on an alignment rack.
+enum class WheelAngle { toe, camber, caster };
+inline constexpr std::array<std::string_view, 3> wheel_angle_names{"toe", "camber", "caster"};
+
+// What is turned or shimmed for that: a cut joint or the part that a tree joint carries. Without a direction the length of a rod changes;
+// else the joint with all that hangs on it moves that way on what carries it.
+struct Adjuster {
+    WheelAngle sets;
+    std::string joint;
+    std::optional<Point> shift{};
+};
+
+struct PartEnd {
+    std::size_t part = 0;
+    Point point{};
+};
 
 struct Composition {
     LinkageDescription linkage;
     std::vector<PartChoice> parts;
-    std::vector<std::size_t> carriers;                        // of the wheels, left first
-    std::size_t drive_reaction = 0;                           // part that the drive torque reacts on: 0 the chassis
-    std::optional<int> twist;                                 // coordinate of a twist beam
+    std::vector<std::size_t> carriers;  // of the wheels, left first
+    std::size_t drive_reaction = 0;     // part that the drive torque reacts on: 0 the chassis
+    std::vector<int> bar_arms;          // coordinates of an anti-roll bar's arms, of the wheels, left first; or none
+    std::vector<Adjuster> adjusters;    // one for each angle, of each wheel
+    std::array<PartEnd, 2> kingpin{};   // two points of the steering axis, lower one first, where caster can be set
+    bool links_are_equivalent = false;  // they stand for something else, and nothing is mounted on them
+    std::optional<int> twist;           // coordinate of a twist beam
     std::optional<LineDescription> spring_line, damper_line;  // of [axle.spring] and [axle.damper] where the suspension
                                                               // itself says where they act
 
@@ -117,7 +148,7 @@ struct Recipe {
     std::string_view spring_part;  // where springs and dampers act unless the file says otherwise
     bool may_have_rocker = false;
     std::vector<std::array<std::string_view, 2>> distinct_points{};  // pairs of keys whose points must differ
-    Composition (*compose)(const Hardpoints&) = nullptr;             // of the left side, or of both wheels
+    Composition (*compose)(const Hardpoints&) = nullptr;  // of the side whose points they are, or of both wheels
     TypicalAxle typical{};
 };
 

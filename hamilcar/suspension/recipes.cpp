@@ -23,9 +23,22 @@ double distance(const Point& a, const Point& b) {
     return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
 }
 
+Point cross(const Point& a, const Point& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 Point direction_between(const Point& a, const Point& b) {
     const double length = distance(a, b);
     return {(b[0] - a[0]) / length, (b[1] - a[1]) / length, (b[2] - a[2]) / length};
+}
+
+std::array<Point, 2> link_axes(const Point& inner, const Point& outer) {
+    const Point along = direction_between(inner, outer);
+    const bool upright = std::abs(along[2]) > 0.9;
+    const Point level =
+        upright ? Point{0, along[2], -along[1]} : Point{along[1], -along[0], 0};  // along x x, or along x z
+    const Point lifting = direction_between({0, 0, 0}, level);
+    return {lifting, cross(along, lifting)};
 }
 
 }  // namespace hamilcar

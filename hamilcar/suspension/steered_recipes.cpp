@@ -8,10 +8,13 @@ namespace hamilcar {
 namespace {
 
 constexpr auto point = HardpointKind::point;
-constexpr HardpointKey steered{"steered", HardpointKind::flag, "whether the rack moves the last link's inner end", {1}};
-constexpr HardpointKey not_steered{"steered", HardpointKind::flag, "whether the rack moves link 5's end", {0}};
+constexpr HardpointKey steered{
+    "steered", HardpointKind::flag, "whether the rack moves the last link's inner end", {1}, false, true};
+constexpr HardpointKey not_steered{"steered", HardpointKind::flag, "whether the rack moves link 5's end", {0}, false,
+                                   true};
 constexpr HardpointKey rack_axis{
-    "rack_axis", HardpointKind::direction, "in which a positive rack displacement moves that end", {0, 1, 0}};
+    "rack_axis", HardpointKind::direction, "in which a positive rack displacement moves that end", {0, 1, 0}, false,
+    true};
 
 // A rod that the rack moves if the axle is steered.
 void add_rod(Composition& to, const Hardpoints& p, const char* name, std::size_t carrier, const Point& outer,
@@ -36,6 +39,10 @@ Composition macpherson(const Hardpoints& p) {
     out.damper_line = out.spring_line;
     out.parts = {{"carrier", carrier, carrier, true, true}};
     out.carriers = {carrier};
+    out.kingpin = {{{carrier, p["ball_joint_m"]}, {strut, p["strut_top_m"]}}};
+    out.adjusters = {{WheelAngle::toe, "tie rod"},
+                     {WheelAngle::camber, "strut", {{0, 1, 0}}},
+                     {WheelAngle::caster, "strut", {{1, 0, 0}}}};
     return out;
 }
 
@@ -56,10 +63,15 @@ Composition double_wishbone(const Hardpoints& p) {
     const std::size_t arm = out.hinge("lower arm", 0, p["lower_rear_m"], p["lower_front_m"]);
     const std::size_t carrier = out.join(TreeJoint::spherical, "carrier", arm, p["lower_ball_m"]);
     out.arm("upper arm", carrier, p["upper_ball_m"], p["upper_rear_m"], p["upper_front_m"]);
-    add_rod(out, p, p.flag("steered") ? "tie rod" : "toe link", carrier, p["tie_rod_outer_m"], p["tie_rod_body_m"]);
+    const char* rod = p.flag("steered") ? "tie rod" : "toe link";
+    add_rod(out, p, rod, carrier, p["tie_rod_outer_m"], p["tie_rod_body_m"]);
     out.linkage.independent = {0};  // the lower arm's angle
     out.parts = {{"carrier", carrier, carrier, true, true}, {"lower_arm", arm, arm, true, false}};
     out.carriers = {carrier};
+    out.kingpin = {{{carrier, p["lower_ball_m"]}, {carrier, p["upper_ball_m"]}}};
+    out.adjusters = {{WheelAngle::toe, rod},
+                     {WheelAngle::camber, "upper arm", {{0, 1, 0}}},
+                     {WheelAngle::caster, "upper arm", {{1, 0, 0}}}};
     if (!p.rod_on.empty()) add_rocker(out, p);
     return out;
 }
@@ -68,11 +80,8 @@ Composition double_wishbone(const Hardpoints& p) {
 Composition five_link(const Hardpoints& p) {
     Composition out;
     const Point body = p["link_1_body_m"], outer = p["link_1_carrier_m"];
-    const Point along = direction_between(body, outer);
-    const Point lifting = direction_between({0, 0, 0}, {along[1], -along[0], 0});  // along x z: lifts the outer end
-    const Point sweeping{along[1] * lifting[2] - along[2] * lifting[1], along[2] * lifting[0] - along[0] * lifting[2],
-                         along[0] * lifting[1] - along[1] * lifting[0]};
-    const std::size_t link = out.join(TreeJoint::universal, "link 1", 0, body, lifting, sweeping);
+    const std::array<Point, 2> axes = link_axes(body, outer);
+    const std::size_t link = out.join(TreeJoint::universal, "link 1", 0, body, axes[0], axes[1]);
     const std::size_t carrier = out.join(TreeJoint::spherical, "carrier", link, outer);
     for (int i = 2; i <= 4; ++i) {
         const std::string key = "link_" + std::to_string(i);
@@ -80,8 +89,9 @@ Composition five_link(const Hardpoints& p) {
     }
     add_rod(out, p, "link 5", carrier, p["link_5_carrier_m"], p["link_5_body_m"]);
     out.linkage.independent = {0};  // link 1's elevation
-    out.parts = {{"carrier", carrier, carrier, true, true}};
+    out.parts = {{"carrier", carrier, carrier, true, true}, {"link_1", link, link, true, false}};
     out.carriers = {carrier};
+    out.adjusters = {{WheelAngle::toe, "link 5"}, {WheelAngle::camber, "link 4"}};
     return out;
 }
 

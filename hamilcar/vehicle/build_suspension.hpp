@@ -37,6 +37,7 @@ SuspensionWheel<T> make_suspension_wheel(const LinkageDescription& linkage, cons
     return {.frame = frame_of_part(linkage, d.part),
             .tires = d.tires(),
             .reaction = frame_of_part(linkage, d.drive_reaction),
+            .bar_arm = d.bar_arm.value_or(-1),
             .offset = offset,
             .wheel = make_wheel<T>(d.wheel),
             .half_spacing = T(d.dual_spacing / 2),
@@ -80,7 +81,8 @@ Suspension<T> make_suspension(const SuspensionDescription& d, const StateLayout:
     for (const auto& spring : d.springs) {
         const ForceLine<T> line = make_line<T>(d.linkage, spring.line);
         const T length = out.linkage.line(line, at, design.data(), design.data()).length;
-        out.springs.push_back({line, {T(spring.spring.rate), T(spring.spring.force_at_design), length}});
+        const double force = spring.spring.force_at_design + spring.spring.rate * spring.spring.seat;
+        out.springs.push_back({line, {T(spring.spring.rate), T(force), length}});
     }
     for (const auto& damper : d.dampers) {
         out.dampers.push_back({make_line<T>(d.linkage, damper.line), Damper<T>(damper.damper)});

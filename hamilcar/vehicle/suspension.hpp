@@ -34,6 +34,7 @@ template <class T>
 struct SuspensionWheel {
     int frame, tires;  // tires: one, or two (dual tires)
     int reaction;      // frame that the drive torque reacts on; 0: the chassis
+    int bar_arm;       // coordinate that an anti-roll bar twists; -1: it acts along the wheel's travel
     int offset;        // of its first number from that of the suspension
     Wheel<T> wheel;
     T half_spacing;  // of two tires from the wheel's center along the axis [m]
@@ -43,8 +44,8 @@ struct SuspensionWheel {
     T drive_share;  // of the drive torque [1]
     static constexpr auto members() {
         using W = SuspensionWheel;
-        return std::tuple(&W::frame, &W::tires, &W::reaction, &W::offset, &W::wheel, &W::half_spacing, &W::bump,
-                          &W::rebound, &W::tire, &W::brake, &W::drive_share);
+        return std::tuple(&W::frame, &W::tires, &W::reaction, &W::bar_arm, &W::offset, &W::wheel, &W::half_spacing,
+                          &W::bump, &W::rebound, &W::tire, &W::brake, &W::drive_share);
     }
 };
 

@@ -20,7 +20,7 @@ namespace hamilcar {
 template <class T>
 struct AntiRollBar {
     int left, right;  // wheels
-    T rate;           // [N/m] of wheel travel difference
+    T rate;           // of the difference of their travels [N/m], or of the angles of the bar's arms [N m/rad]
     static constexpr auto members() { return std::tuple(&AntiRollBar::left, &AntiRollBar::right, &AntiRollBar::rate); }
 };
 

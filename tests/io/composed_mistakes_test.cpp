@@ -23,7 +23,8 @@ TEST(ComposedMistakes, PartsThatDoNotExist) {
                             "on = \"rocker\"",
                             "on = \"roker\"",
                             "\"roker\"",
-                            {"expected one of 'carrier', 'lower_arm' or 'rocker'", "did you mean 'rocker'?"}});
+                            {"expected one of 'carrier', 'lower_arm', 'rocker', 'upper_arm' or 'push_rod'",
+                             "did you mean 'rocker'?"}});
     expect_told("formula",
                 {"RodOnNothing", "rod_on = \"", "rod_on = \"x", "\"x", {"expected one of 'lower_arm' or 'carrier'"}});
 }

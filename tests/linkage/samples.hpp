@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hamilcar/linkage/compose.hpp"
-#include "hamilcar/suspension/recipe.hpp"
+#include "hamilcar/suspension/attachments.hpp"
 
 namespace hamilcar::test {
 
@@ -13,19 +13,44 @@ struct LinkageSample {
     std::string name, keyword;
     LinkageDescription linkage;
     std::vector<PartPoint> wheels;
+    std::vector<int> bar_arms{};  // coordinates of an anti-roll bar's arms, of the wheels
 };
 inline void PrintTo(const LinkageSample& sample, std::ostream* out) {
     *out << sample.name;
 }
 
-inline LinkageSample sample(const std::string& keyword, const Hardpoints& points, const std::string& suffix = "") {
-    const Composition made = find_recipe(keyword)->compose(points);
-    LinkageSample out{keyword + suffix, keyword, made.linkage, {}};
+inline LinkageSample sample(const std::string& keyword, const Composition& made, const std::string& suffix) {
+    LinkageSample out{keyword + suffix, keyword, made.linkage, {}, made.bar_arms};
     const Point center{0.01, 0.72, 0.3};
     for (std::size_t i = 0; i < made.carriers.size(); ++i) {
         out.wheels.push_back({made.carriers[i], i == 0 ? center : mirrored(center)});
     }
     return out;
+}
+
+inline LinkageSample sample(const std::string& keyword, const Hardpoints& points, const std::string& suffix = "") {
+    return sample(keyword, find_recipe(keyword)->compose(points), suffix);
+}
+
+inline LinkageSample sample_with_parts(const std::string& keyword, const Hardpoints& points,
+                                       const std::vector<std::string>& links, const std::string& suffix) {
+    Composition made = find_recipe(keyword)->compose(points);
+    for (const std::string& link : links) make_part(made, link);
+    return sample(keyword, made, suffix);
+}
+
+// With a bar's drop link on a part, the link of that key a part of its own where `link` names one.
+inline LinkageSample sample_with_bar(const std::string& keyword, const Hardpoints& points, const std::string& link,
+                                     const BarArm& arm, const std::string& suffix) {
+    Composition made = find_recipe(keyword)->compose(points);
+    if (!link.empty()) make_part(made, link);
+    const PartChoice& part = link.empty() ? made.parts.front() : made.parts.back();
+    const bool both = made.carriers.size() == 2;
+    BarArm left = arm, right{mirrored(arm.pivot), mirrored(arm.end), mirrored(arm.link), part.right};
+    left.part = part.left;
+    add_bar_arm(made, both ? "left " : "", left);
+    if (both) add_bar_arm(made, "right ", right);
+    return sample(keyword, made, suffix);
 }
 
 inline Hardpoints solid_axle_points() {
@@ -145,7 +170,16 @@ inline std::vector<LinkageSample> recipe_samples() {
             sample("panhard_axle", steered, "_steered"),
             sample("watt_axle", solid_axle_points()),
             sample("leaf_axle", solid_axle_points()),
-            sample("leaf_axle", steered, "_steered")};
+            sample("leaf_axle", steered, "_steered"),
+            sample_with_bar("macpherson", strut_points(), "", {{-0.3, 0.4, 0.2}, {0.02, 0.55, 0.22}, {0.03, 0.57, 0.5}},
+                            "_with_bar"),
+            sample_with_bar("double_wishbone", wishbone_points(), "upper_arm",
+                            {{-0.4, 0.35, 0.4}, {-0.1, 0.5, 0.41}, {-0.05, 0.55, 0.49}}, "_with_bar_on_upper_arm"),
+            sample_with_bar("five_link", five_link_points(), "link_3",
+                            {{0.35, 0.4, 0.3}, {0.1, 0.5, 0.3}, {0.01, 0.52, 0.44}}, "_with_bar_on_link_3"),
+            sample_with_bar("panhard_axle", solid_axle_points(), "",
+                            {{0.5, 0.3, 0.4}, {0.1, 0.35, 0.4}, {0.1, 0.36, 0.3}}, "_with_bar"),
+            sample_with_parts("four_link_axle", four, {"lower_link"}, "_with_links_as_parts")};
 }
 
 }  // namespace hamilcar::test

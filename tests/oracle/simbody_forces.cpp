@@ -51,9 +51,9 @@ public:
             add_drive_and_brake(state, i, car, mobility_forces);
         }
         for (const AntiRollBarDescription& bar : parts_.description.anti_roll_bars) {
-            const double force = bar.rate * (travel(car, bar.left) - travel(car, bar.right));
-            lift(bar.left, -force, car);
-            lift(bar.right, force, car);
+            const double force = bar.rate * (bar_end(state, car, bar.left) - bar_end(state, car, bar.right));
+            push_bar_end(state, bar.left, -force, car, mobility_forces);
+            push_bar_end(state, bar.right, force, car, mobility_forces);
         }
         for (std::size_t i = 0; i < parts_.hitches.size(); ++i) {
             const Coordinate& yaw = parts_.hitches[i].coordinates[parts_.hitches[i].yaw];
@@ -79,7 +79,7 @@ public:
             for (int k = 0; k < parts_.wheels[i].tires(); ++k) energy += tire_energy(parts_, i, k, car);
         }
         for (const AntiRollBarDescription& bar : parts_.description.anti_roll_bars) {
-            const double difference = travel(car, bar.left) - travel(car, bar.right);
+            const double difference = bar_end(state, car, bar.left) - bar_end(state, car, bar.right);
             energy += bar.rate * difference * difference / 2;
         }
         return energy;
@@ -117,6 +117,23 @@ private:
         const Vec3 up = force * unit.pose.z();
         car.bodies[parts_.wheels[i].carrier].push(car.wheels[i].center, up);
         unit.push(car.wheels[i].center, -up);
+    }
+
+    // The mobilizer of a bar's arm, or null where the bar acts along the wheel's travel.
+    const Coordinate* bar_arm(std::size_t i) const {
+        const std::optional<int>& arm = parts_.wheels[i].description.bar_arm;
+        if (!arm) return nullptr;
+        std::size_t tree = 0;
+        while (tree + 1 < parts_.suspensions.size() && parts_.suspensions[tree + 1].first_wheel <= i) ++tree;
+        return &parts_.suspensions[tree].coordinates[static_cast<std::size_t>(*arm)];
+    }
+    double bar_end(const State& state, const CarMotion& car, std::size_t i) const {
+        const Coordinate* arm = bar_arm(i);
+        return arm ? arm->value(state) : travel(car, i);
+    }
+    void push_bar_end(const State& state, std::size_t i, double force, CarMotion& car, Vector& mobility_forces) const {
+        if (const Coordinate* arm = bar_arm(i)) return arm->push(force, state, mobility_forces);
+        lift(i, force, car);
     }
 
     void add_stops(std::size_t i, CarMotion& car) const {

@@ -95,6 +95,7 @@ void add_wheels(const LinkageSample& sample, const Place& place, SuspensionDescr
         wheel.bump = {0.02, 60e3, 1e6}, wheel.rebound = {0.02, 80e3, 0};
         wheel.tire = paper_wheel.tire, wheel.brake = paper_wheel.brake;
         wheel.drive_share = 0.25, wheel.drive_reaction = solid ? 1 : 0;
+        if (!sample.bar_arms.empty()) wheel.bar_arm = sample.bar_arms[suspension.wheels.size() - 1];
         const LineDescription line{
             at.part, 0, shifted(center, 0.01, 0.1 * inward, 0.1), shifted(center, 0.05, 0.15 * inward, 0.5), {}};
         suspension.springs.push_back({suspension.name, line, {25e3, 2900}});
@@ -127,7 +128,8 @@ VehicleDescription car_on(const LinkageSample& sample) {
             if (!right || sample.wheels.size() == 1) car.suspensions.push_back(suspension_at(sample, {right, rear}));
         }
     }
-    car.anti_roll_bars = {{0, 1, 6e3}, {2, 3, 4e3}};
+    const double of_arms = sample.bar_arms.empty() ? 1 : 0.1;  // [m^2]
+    car.anti_roll_bars = {{0, 1, 6e3 * of_arms}, {2, 3, 4e3 * of_arms}};
     return car;
 }
 

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "hamilcar/run/channels.hpp"
+#include "hamilcar/suspension/recipe.hpp"
 #include "support/fleet.hpp"
 #include "support/hardpoints.hpp"
 #include "support/json_schema.hpp"
@@ -211,6 +212,26 @@ TEST(Picture, OfTheCarShowsItsOwnHardpoints) {
     EXPECT_THAT(arm,
                 testing::UnorderedElementsAre(strut.ball_joint, strut.arm_front, strut.ball_joint, strut.arm_rear));
     EXPECT_THAT(rod, testing::UnorderedElementsAre(strut.tie_rod_outer, strut.rack_end));
+}
+
+// A bar from bush to bush, an arm on either side, and the drop links at their ends.
+TEST(Picture, OfABarShowsItsArms) {
+    const VehicleDescription car =
+        test::shipped_with("bmw_323i", "front",
+                           "anti_roll_bar = {rate_N_m_per_rad = 900, pivot_m = [-0.3, 0.45, 0.2], arm_end_m = [0.0, "
+                           "0.56, 0.21], link_m = [0.02, 0.58, 0.5]}");
+    const Scene scene = make_scene(car);
+    const auto ends = [&](const std::string& name, LinkKind kind) {
+        std::vector<Point> out;
+        for (const SceneLink& link : scene.links) {
+            if (link.name == name && link.kind == kind) out.push_back(link.a.point), out.push_back(link.b.point);
+        }
+        return out;
+    };
+    const Point pivot{-0.3, 0.45, 0.2}, end{0.0, 0.56, 0.21}, link{0.02, 0.58, 0.5};
+    EXPECT_EQ(ends("anti-roll bar", LinkKind::body), (std::vector<Point>{pivot, mirrored(pivot)}));
+    EXPECT_THAT(ends("front_left.drop link", LinkKind::rod), testing::UnorderedElementsAre(end, link));
+    EXPECT_THAT(ends("front_right.bar arm", LinkKind::body), testing::Contains(mirrored(end)));
 }
 
 }  // namespace

@@ -1,6 +1,10 @@
 // Every shipped vehicle, and variants for tests of conservation laws.
 #pragma once
 
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -17,6 +21,17 @@ inline const std::vector<std::string>& fleet() {
 
 inline VehicleDescription shipped(const std::string& name) {
     return io::read_vehicle(source_path("vehicles/" + name + ".toml"));
+}
+
+// With further keys of one of its axles, as a file that starts from the vehicle's.
+inline VehicleDescription shipped_with(const std::string& name, const std::string& axle, const std::string& keys) {
+    const auto file = std::filesystem::temp_directory_path() / ("hamilcar-" + std::to_string(getpid()) + ".toml");
+    std::ofstream(file) << "base = \"" << source_path("vehicles/" + name + ".toml") << "\"\n[[axle]]\nname = \"" << axle
+                        << "\"\n"
+                        << keys << "\n";
+    const VehicleDescription car = io::read_vehicle(file);
+    std::filesystem::remove(file);
+    return car;
 }
 
 // Without dissipation or kinks: no dampers, no drag, no stops, tires that are bilateral vertical springs.

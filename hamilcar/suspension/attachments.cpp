@@ -1,0 +1,77 @@
+#include "hamilcar/suspension/attachments.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hamilcar {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> sides{"left ", "right "};
+
+// "lower_link" of "left lower link".
+std::string key_of(std::string_view name) {
+    for (const std::string_view side : sides) {
+        if (name.starts_with(side)) name.remove_prefix(side.size());
+    }
+    std::string key(name);
+    std::ranges::transform(key, key.begin(), [](char c) {
+        return c == ' ' ? '_' : c >= 'A' && c <= 'Z' ? char(c + 32) : c;
+    });
+    return key;
+}
+
+bool is_link(const CutJointDescription& cut) {
+    return (cut.kind == CutJoint::distance || cut.kind == CutJoint::revolute_spherical) && cut.drive == Point{} &&
+           !cut.length;
+}
+
+// The tree joint that carries the link, and its outer end as a cut joint in the link's place.
+std::size_t link_part(Composition& to, CutJointDescription& cut) {
+    std::size_t part = 0;
+    if (cut.kind == CutJoint::distance) {
+        const std::array<Point, 2> axes = link_axes(cut.foot, cut.tip);
+        part = to.join(TreeJoint::universal, cut.name, cut.base, cut.foot, axes[0], axes[1]);
+    } else {
+        part = to.join(TreeJoint::revolute, cut.name, cut.base, cut.foot, cut.axis);
+        to.linkage.joints.back().other_bush = cut.other_bush;
+    }
+    cut = {.kind = CutJoint::spherical,
+           .name = cut.name + "'s ball",
+           .part = cut.part,
+           .base = part,
+           .tip = cut.tip,
+           .foot = cut.tip};
+    return part;
+}
+
+}  // namespace
+
+std::vector<std::string> link_keys(const Composition& composition) {
+    std::vector<std::string> keys;
+    if (composition.links_are_equivalent) return keys;
+    for (const CutJointDescription& cut : composition.linkage.cuts) {
+        const std::string key = key_of(cut.name);
+        if (is_link(cut) && std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
+    }
+    return keys;
+}
+
+void make_part(Composition& composition, std::string_view key) {
+    PartChoice choice{.name = std::string(key), .left = 0, .right = 0, .has_table = true};
+    for (CutJointDescription& cut : composition.linkage.cuts) {
+        if (!is_link(cut) || key_of(cut.name) != key) continue;
+        const std::size_t part = link_part(composition, cut);
+        (choice.left == 0 ? choice.left : choice.right) = part;
+    }
+    if (choice.right == 0) choice.right = choice.left;
+    composition.parts.push_back(choice);
+}
+
+void add_bar_arm(Composition& composition, const std::string& side, const BarArm& arm) {
+    composition.bar_arms.push_back(composition.linkage.coordinate_count());
+    const std::size_t part = composition.join(TreeJoint::revolute, side + "bar arm", 0, arm.pivot, {0, 1, 0});
+    composition.cut(CutJoint::distance, side + "drop link", arm.part, arm.link, part, arm.end);
+}
+
+}  // namespace hamilcar
