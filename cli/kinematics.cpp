@@ -107,11 +107,26 @@ const Sweep* find(const AxleReport& axle, const char* name) {
     return nullptr;
 }
 
+// Whether the right wheel's figures are the left one's.
+bool is_symmetric(const AxleReport& axle) {
+    const std::vector<Figure> all = figures();
+    for (const Figure& figure : all) {
+        if (!figure.name.starts_with("left.")) continue;
+        const auto twin = std::ranges::find(all, "right." + figure.name.substr(5), &Figure::name);
+        const double left = figure.read(axle.design), right = twin->read(axle.design);
+        if (std::abs(left - right) > 1e-6 * std::max(1.0, std::abs(left))) return false;
+    }
+    return true;
+}
+
 std::vector<io::Chart> charts(const AxleReport& axle) {
     std::vector<io::Chart> out;
+    const bool one_side = is_symmetric(axle);
     if (const Sweep* bump = find(axle, "bump")) {
-        const auto add = [&](const char* title, const char* unit, const char* name) {
-            out.push_back(chart(*bump, title, "travel", "bump travel [mm]", unit, {{name, ""}}));
+        const auto add = [&](const char* title, const char* unit, const std::string& name) {
+            std::vector<std::pair<std::string, std::string>> curves{{name, ""}};
+            if (!one_side && name.starts_with("left.")) curves = {{name, "left"}, {"right." + name.substr(5), "right"}};
+            out.push_back(chart(*bump, title, "travel", "bump travel [mm]", unit, curves));
         };
         add("Toe-in", "[deg]", "left.toe_in"), add("Camber", "[deg]", "left.camber");
         if (std::isfinite(axle.design.left.caster)) {
@@ -164,28 +179,48 @@ io::Table design_table(const AxleReport& axle) {
 }
 
 // Slope of a column about the middle of the bump sweep, per meter.
-double gain(const AxleReport& axle, double WheelFigures::*member) {
+using Side = WheelFigures AxleFigures::*;
+double gain(const AxleReport& axle, Side side, double WheelFigures::*member) {
     const std::vector<AxleFigures>& rows = axle.sweeps[0].rows;
     const std::size_t middle = axle.sweeps[0].design;
     if (middle == 0 || middle + 1 >= rows.size()) return std::nan("");
-    return (rows[middle + 1].left.*member - rows[middle - 1].left.*member) /
-           (rows[middle + 1].left.travel - rows[middle - 1].left.travel);
+    const WheelFigures &above = rows[middle + 1].*side, &below = rows[middle - 1].*side;
+    return (above.*member - below.*member) / (above.travel - below.travel);
 }
 
 void print_report(const AxleReport& axle) {
-    const WheelFigures& f = axle.design.left;
-    const auto line = [](const char* name, double value, const char* unit, int digits) {
-        if (std::isfinite(value)) fmt::print("  {:<34}{:>10} {}\n", name, fixed_text(value, digits), unit);
+    const bool one_side = is_symmetric(axle);
+    const auto behind = [](const std::string& unit) { return unit.empty() ? "" : " " + unit; };
+    const auto line = [&](const char* name, double value, const char* unit, int digits, const std::string& right = {}) {
+        if (std::isfinite(value))
+            fmt::print("  {:<34}{:>10}{}{}\n", name, fixed_text(value, digits), behind(unit), right);
     };
+    const auto wheel = [&](const char* name, const char* unit, int digits, double scale, const auto& read) {
+        const double right = scale * read(&AxleFigures::right);
+        const bool told = !one_side && std::isfinite(right);
+        line(name, scale * read(&AxleFigures::left), unit, digits,
+             told ? fmt::format(", right {}{}", fixed_text(right, digits), behind(unit)) : "");
+    };
+    const auto at_design = [&](double WheelFigures::*member) {
+        return [&axle, member](Side side) { return (axle.design.*side).*member; };
+    };
+    const auto in_bump = [&](double WheelFigures::*member) {
+        return [&axle, member](Side side) { return gain(axle, side, member); };
+    };
+    using W = WheelFigures;
     fmt::print("{}\n", axle.name);
-    line("toe-in", f.toe / degree, "deg", 3), line("camber", f.camber / degree, "deg", 3);
-    line("caster", f.caster / degree, "deg", 2), line("kingpin inclination", f.inclination / degree, "deg", 2);
-    line("scrub radius", 1e3 * f.scrub, "mm", 1), line("mechanical trail", 1e3 * f.trail, "mm", 1);
+    wheel("toe-in", "deg", 3, 1 / degree, at_design(&W::toe));
+    wheel("camber", "deg", 3, 1 / degree, at_design(&W::camber));
+    wheel("caster", "deg", 2, 1 / degree, at_design(&W::caster));
+    wheel("kingpin inclination", "deg", 2, 1 / degree, at_design(&W::inclination));
+    wheel("scrub radius", "mm", 1, 1e3, at_design(&W::scrub));
+    wheel("mechanical trail", "mm", 1, 1e3, at_design(&W::trail));
     line("roll center height", 1e3 * axle.design.roll_center, "mm", 1);
-    line("camber gain in bump", gain(axle, &WheelFigures::camber) / degree, "deg/m", 2);
-    line("bump steer (toe-in)", gain(axle, &WheelFigures::toe) / degree, "deg/m", 2);
-    line("spring ratio", f.spring_ratio, "", 4), line("damper ratio", f.damper_ratio, "", 4);
-    line("wheel rate of the spring", 1e-3 * f.wheel_rate, "N/mm", 2);
+    wheel("camber gain in bump", "deg/m", 2, 1 / degree, in_bump(&W::camber));
+    wheel("bump steer (toe-in)", "deg/m", 2, 1 / degree, in_bump(&W::toe));
+    wheel("spring ratio", "", 4, 1, at_design(&W::spring_ratio));
+    wheel("damper ratio", "", 4, 1, at_design(&W::damper_ratio));
+    wheel("wheel rate of the spring", "N/mm", 2, 1e-3, at_design(&W::wheel_rate));
     line("anti-dive or anti-lift, braking", axle.anti_brake, "%", 1);
     line("anti-squat or anti-lift, driving", axle.anti_drive, "%", 1);
     for (const Sweep& sweep : axle.sweeps) {

@@ -14,8 +14,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGES = ROOT / "docs/suspensions"
 STRING = r'"(?:[^"\\]|\\.)*"'
 KEY = re.compile(r'\{\s*"(\w+)",\s*(?:HardpointKind::)?(point|direction|flag|number|length),\s*((?:' + STRING + r'\s*)+)'
-                 r'(?:,\s*\{([^{}]*)\})?(?:,\s*(true|false)(?:,\s*(?:true|false))?)?\s*\}')
-NAMED = re.compile(r"\bHardpointKey (\w+)(\{.*?\});", re.S)
+                 r'(?:,\s*\{([^{}]*)\})?(?:,\s*(true|false))?\s*\}')
+NAMED = re.compile(r"\bHardpointKey (\w+)\s*(?:=\s*one_for_both\(\s*)?(\{.*?\})\)?;", re.S)
 RECIPE = re.compile(r"^const Recipe (\w+)_recipe\{(.*?)\};$", re.M | re.S)
 
 

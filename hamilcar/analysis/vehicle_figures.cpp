@@ -68,19 +68,20 @@ StandingAxle standing(const VehicleDescription& vehicle, const Axle& axle, const
     if (axle.wheels.size() < 2) return out;
     out.track = left - right;
     const auto own = std::ranges::find_if(kinematics, [&](const AxleReport& one) { return is_of(one, axle); });
-    if (own == kinematics.end()) return out;
-    const double twist = std::isnan(own->design.bar_twist) ? 1 : own->design.bar_twist;  // of a bar on the travels
+    const bool has_arms = own != kinematics.end() && !std::isnan(own->design.bar_twist);
+    const double twist = has_arms ? own->design.bar_twist : 1;  // 1 of a bar on the travels
     for (const AntiRollBarDescription& bar : vehicle.anti_roll_bars) {
         const bool is_own = std::ranges::find(axle.wheels, names[bar.left]) != axle.wheels.end();
         if (is_own) out.bar_stiffness += bar.rate * std::pow(twist * out.track, 2);
     }
+    if (own == kinematics.end()) return out;
     out.roll_stiffness = own->design.roll_stiffness + out.bar_stiffness;
     const double rate = own->design.left.wheel_rate + own->design.right.wheel_rate;
     out.ride_frequency = std::sqrt(rate * vehicle.gravity / out.load) / (2 * std::numbers::pi);
     return out;
 }
 
-// As racers count it: the diagonal that turning left loads.
+// As racers count it: of the diagonal from front right to rear left.
 double cross_weight(const std::vector<StandingAxle>& axles) {
     std::vector<StandingAxle> own;
     std::ranges::copy_if(axles, std::back_inserter(own), [](const StandingAxle& axle) { return !axle.of_trailer; });

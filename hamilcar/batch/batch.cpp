@@ -31,7 +31,7 @@ std::vector<int> shape(const Suspension<double>& suspension) {
     out.push_back(suspension.unit);
     for (const auto& body : suspension.bodies) out.push_back(body.frame);
     for (const auto& wheel : suspension.wheels) {
-        out.insert(out.end(), {wheel.frame, wheel.tires, wheel.reaction});
+        out.insert(out.end(), {wheel.frame, wheel.tires, wheel.reaction, wheel.bar_arm});
     }
     const auto add = [&](const auto& elements) {
         out.push_back(static_cast<int>(elements.size()));

@@ -38,13 +38,17 @@ std::optional<Rest> rest_with(const Model<double>& model, const std::vector<bool
 
 std::optional<std::string> find_preloads(VehicleDescription& vehicle) {
     std::vector<bool> held;
-    for (SuspensionDescription& suspension : vehicle.suspensions) {
+    VehicleDescription unloaded =
+        vehicle;  // its carrying springs without any force; their seats come on top of what is found
+    for (SuspensionDescription& suspension : unloaded.suspensions) {
         const auto carrying = carrying_springs(suspension);
-        for (const std::size_t i : carrying) suspension.springs[i].spring.force_at_design = 0;
+        for (const std::size_t i : carrying) {
+            suspension.springs[i].spring.force_at_design = suspension.springs[i].spring.seat = 0;
+        }
         held.push_back(!carrying.empty());
     }
     if (std::ranges::find(held, true) == held.end()) return {};
-    const Model<double> model{.vehicle = Vehicle<double>(vehicle), .road = PlaneRoad<double>(0, 0, 1)};
+    const Model<double> model{.vehicle = Vehicle<double>(unloaded), .road = PlaneRoad<double>(0, 0, 1)};
     const std::optional<Rest> rest = rest_with(model, held);
     if (!rest) return "a vehicle that rests on its tires while its suspensions are at design";
     for (std::size_t s = 0; s < vehicle.suspensions.size(); ++s) {

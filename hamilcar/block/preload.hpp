@@ -9,7 +9,8 @@
 namespace hamilcar {
 
 // Sets the force at design of every spring that `carries`, so that on level ground all forces balance while the suspensions
-// that have such springs are at design; the others, hitches and tires deflect as they must. Returns what is in the way of it.
+// that have such springs are at design; the others, hitches and tires deflect as they must. Seats of these springs do not count: they
+// press with what they add. Returns what is in the way of it.
 std::optional<std::string> find_preloads(VehicleDescription& vehicle);
 
 }  // namespace hamilcar

@@ -37,12 +37,18 @@ void align_axle(const AxleTables& axle, const AxleSides& sides, SuspensionDescri
         const auto obstacle = align(suspension, composition, targets);
         table.expect(!obstacle, "alignment", obstacle.value_or(""));
     };
-    if (sides.hold_both()) {
-        if (wants_any(on_left) || wants_any(on_right)) set(axle.left, left, sides.left, {on_left, on_right});
+    if (!sides.hold_both()) {
+        if (wants_any(on_left)) set(axle.left, left, sides.left, {on_left});
+        if (wants_any(on_right)) set(axle.of_right(), right, sides.right, {on_right});
         return;
     }
-    if (wants_any(on_left)) set(axle.left, left, sides.left, {on_left});
-    if (wants_any(on_right)) set(axle.of_right(), right, sides.right, {on_right});
+    if (!wants_any(on_left) && !wants_any(on_right)) return;
+    const TableReader& told = wants_any(on_left) ? axle.left : axle.of_right();
+    for (std::size_t i = 0; i < on_left.size(); ++i) {
+        told.expect(on_left[i].has_value() == on_right[i].has_value(), "alignment",
+                    fmt::format("{} of both wheels, since one suspension carries them", wheel_angle_names[i]));
+    }
+    set(told, left, sides.left, {on_left, on_right});
 }
 
 }  // namespace hamilcar::io

@@ -132,6 +132,8 @@ void add_link_parts(const AxleTables& axle, AxleSides& sides) {
         } else if (needs_part(axle.left, link) || (axle.differ() && needs_part(axle.of_right(), link))) {
             make_part(sides.left, link);
             if (!sides.hold_both()) make_part(sides.right, link);
+        } else {
+            sides.left.bare_links.push_back(link);
         }
     }
 }
@@ -167,8 +169,18 @@ void read_bar(const AxleTables& axle, AxleSides& sides) {
                 });
 }
 
+// What a side may have only if the other one has it.
+void check_presence(const AxleTables& axle) {
+    if (!axle.differ()) return;
+    const TableReader right = axle.left.table("right");
+    for (const char* key : {"rocker", "anti_roll_bar"}) {
+        if (right.has(key) && !axle.left.has(key)) right.expect(false, key, "no such table: the axle itself has none");
+    }
+}
+
 // What any composition may have.
 void finish(const AxleTables& axle, AxleSides& sides, const UseSides& use) {
+    check_presence(axle);
     add_link_parts(axle, sides);
     read_bar(axle, sides);
     if (!axle.left.is_recording()) {
@@ -197,8 +209,7 @@ void compose_recipe(const AxleTables& axle, const Recipe& recipe, bool steered, 
 const PartChoice& part_of(const TableReader& table, std::string_view key, const Composition& composition,
                           std::string_view fallback) {
     std::vector<std::string_view> names = part_names(composition);
-    const std::vector<std::string> links = table.is_recording() ? std::vector<std::string>{} : link_keys(composition);
-    names.insert(names.end(), links.begin(), links.end());  // to be told: a link that a key names is a part already
+    names.insert(names.end(), composition.bare_links.begin(), composition.bare_links.end());  // for the message alone
     const auto default_name = std::ranges::find(names, fallback);
     const std::optional<std::size_t> place =
         default_name == names.end() ? std::nullopt : std::optional<std::size_t>(default_name - names.begin());
@@ -225,9 +236,25 @@ void read_recipe(const AxleTables& axle, const Recipe& recipe, bool on_trailer, 
     const bool by_default = key->default_value[0] != 0 && (!on_trailer || axle.left.is_recording());
     points.choose_flag(key->key, by_default, axle.left, [&](bool steered) {
         points.expect(!on_trailer || !steered, key->key, "false on a trailer");
+        if (axle.differ()) {
+            const TableReader right = axle.of_right().table("hardpoints");
+            right.expect(right.boolean(key->key, steered) == steered, key->key,
+                         "the left side's: it is one for both sides");
+        }
         read(steered);
     });
     note_meanings(points, {*key}, recipe.keyword);
+}
+
+// What the sides of a linkage have in common, so that a part's name means the same on both.
+bool have_one_structure(const LinkageDescription& a, const LinkageDescription& b) {
+    return std::ranges::equal(a.joints, b.joints,
+                              [](const auto& x, const auto& y) {
+                                  return x.part == y.part && x.kind == y.kind && x.parent == y.parent;
+                              }) &&
+           std::ranges::equal(a.cuts, b.cuts, [](const auto& x, const auto& y) {
+               return x.name == y.name && x.kind == y.kind && x.part == y.part && x.base == y.base;
+           });
 }
 
 void read_own_linkage(const AxleTables& axle, bool on_trailer, const UseSides& use) {
@@ -239,6 +266,11 @@ void read_own_linkage(const AxleTables& axle, bool on_trailer, const UseSides& u
         const std::string default_part = sides.left.parts[0].name;
         sides.default_part = default_part;
         if (!two_wheels) sides.right = mirrored_composition(axle.differ() ? read(axle.of_right()) : sides.left);
+        if (axle.differ() && !two_wheels) {
+            axle.left.expect(
+                have_one_structure(sides.left.linkage, sides.right.linkage), "right",
+                "the joints and cuts of the left side, in their order, with points and lengths of their own");
+        }
         finish(axle, sides, use);
     });
 }

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "hamilcar/linkage/compose.hpp"
+#include "hamilcar/suspension/attachments.hpp"
 
 namespace hamilcar::io {
 
@@ -26,6 +27,17 @@ std::size_t part_or_chassis(const TableReader& table, std::string_view key, cons
     return table.one_of(key, part_names(linkage, true), 0);
 }
 
+// A part or a cut may have a table of its own, under the key of its name, and its channels have that name.
+void expect_free(const TableReader& table, std::string_view key, std::string_view name) {
+    constexpr std::string_view taken[] = {
+        "name",   "suspension", "tire",         "drive_share",        "hardpoints",         "wheel",
+        "spring", "damper",     "bump_stop",    "rebound_stop",       "anti_roll_bar",      "brake",
+        "joint",  "cut",        "rocker",       "further_spring",     "further_damper",     "twist_spring",
+        "right",  "alignment",  "carrier_part", "right_carrier_part", "drive_reaction_part"};
+    table.expect(std::ranges::find(taken, link_key(name)) == std::end(taken), key,
+                 "a name that no other table of an axle has");
+}
+
 TreeJointDescription read_joint(const TableReader& table, const LinkageDescription& before) {
     constexpr std::string_view kinds[] = {"revolute", "prismatic", "universal", "spherical", "free"};
     TreeJointDescription joint;
@@ -38,12 +50,7 @@ TreeJointDescription read_joint(const TableReader& table, const LinkageDescripti
     if (table.is_recording()) joint.kind = TreeJoint::revolute;  // along which a spring may act
     joint.part = table.text("part");
     const auto names = part_names(before, true);
-    constexpr std::string_view taken[] = {
-        "name",           "suspension",     "tire",          "hardpoints", "wheel",    "spring", "damper",
-        "bump_stop",      "rebound_stop",   "anti_roll_bar", "brake",      "joint",    "cut",    "rocker",
-        "further_spring", "further_damper", "twist_spring",  "right",      "alignment"};
-    table.expect(std::ranges::find(taken, joint.part) == std::end(taken), "part",
-                 "a name that no other table of an axle has");
+    expect_free(table, "part", joint.part);
     table.expect(std::ranges::find(names, joint.part) == names.end(), "part", "a name that no other part has");
     joint.parent = part_or_chassis(table, "parent", before);
     joint.point = table.array<3>("point_m");
@@ -55,6 +62,7 @@ CutJointDescription read_cut(const TableReader& table, const LinkageDescription&
     constexpr std::string_view kinds[] = {"distance", "plane", "line", "revolute_spherical", "spherical"};
     CutJointDescription cut;
     cut.name = table.text("name");
+    expect_free(table, "name", cut.name);
     cut.part = part(table, "part", tree), cut.base = part_or_chassis(table, "base", tree);
     table.expect(cut.part != cut.base, "base", "another part than '" + table.text("part") + "'");
     cut.tip = table.array<3>("tip_m"), cut.foot = table.array<3>("foot_m", cut.tip);
@@ -79,6 +87,25 @@ CutJointDescription read_cut(const TableReader& table, const LinkageDescription&
     return cut;
 }
 
+// Names are keys of tables and beginnings of channels.
+void expect_own_name(const TableReader& cut, const std::string& name, const LinkageDescription& before) {
+    const std::string key = link_key(name);
+    const auto same = [&](const std::string& other) { return link_key(other) == key; };
+    cut.expect(std::ranges::none_of(before.cuts, same, &CutJointDescription::name) &&
+                   std::ranges::none_of(before.joints, same, &TreeJointDescription::part),
+               "name", "a name that no part and no other cut has, however it is spelled");
+}
+
+// One cut sets an angle, on each wheel.
+void check_adjusters(const TableReader& axle, const Composition& composition) {
+    for (const WheelAngle angle : {WheelAngle::toe, WheelAngle::camber}) {
+        const auto count = std::ranges::count(composition.adjusters, angle, &Adjuster::sets);
+        axle.expect(count == 0 || static_cast<std::size_t>(count) == composition.carriers.size(), "cut",
+                    "as many that set " + std::string(wheel_angle_names[static_cast<std::size_t>(angle)]) +
+                        " as the linkage has wheels, or none");
+    }
+}
+
 // The wheels have one freedom each, and nothing else moves.
 void choose_independent(const TableReader& axle, const std::vector<PartPoint>& wheels, LinkageDescription& linkage) {
     const int coordinates = linkage.coordinate_count(), equations = linkage.equation_count();
@@ -97,8 +124,11 @@ Composition read_linkage(const TableReader& axle, const WheelDescription& wheel,
     Composition out;
     for (const TableReader& joint : axle.tables("joint")) out.linkage.joints.push_back(read_joint(joint, out.linkage));
     if (axle.has("cut")) {
-        for (const TableReader& cut : axle.tables("cut"))
-            out.linkage.cuts.push_back(read_cut(cut, out.linkage, on_trailer, out.adjusters));
+        for (const TableReader& cut : axle.tables("cut")) {
+            const CutJointDescription one = read_cut(cut, out.linkage, on_trailer, out.adjusters);
+            expect_own_name(cut, one.name, out.linkage);
+            out.linkage.cuts.push_back(one);
+        }
     }
     const std::size_t carrier = part(axle, "carrier_part", out.linkage);
     out.carriers = {carrier};
@@ -117,7 +147,7 @@ Composition read_linkage(const TableReader& axle, const WheelDescription& wheel,
         axle.expect(name != "carrier" || carries, "carrier_part", "the part that is called 'carrier'");
         if (name != "carrier") out.parts.push_back({name, i + 1, i + 1, !carries, false});
     }
-    if (!axle.is_recording()) choose_independent(axle, wheels, out.linkage);
+    if (!axle.is_recording()) check_adjusters(axle, out), choose_independent(axle, wheels, out.linkage);
     return out;
 }
 

@@ -294,7 +294,7 @@ std::optional<TableReader> TableReader::laid_over(std::string_view key, std::spa
     const TableReader above = table(key);
     for (const std::string_view one : fixed) {
         if (const Node* node = above.node_->find(one))
-            reject(*node, above.full(one), "it where both sides are told, in " + (path_.empty() ? "the file" : path_));
+            reject(*node, above.full(one), "no such key: it is one for both sides, in " + path_);
     }
     const auto own = std::make_shared<Node>(io::laid_over(*node_, key));
     TableReader out(*own, full(key));

@@ -136,10 +136,12 @@ void merge(Node& base, Node top) {
     base = std::move(top);  // with the place of the file on top: there a missing key has to be added
 }
 
-// Its own way to say something counts, against one in the same file.
+// Its own way to say something counts, against one in whatever file.
+constexpr int nearest = 2 * static_cast<int>(max_bases);  // generations
 void bring_nearer(Node& node, std::unordered_map<const SourceFile*, std::shared_ptr<const SourceFile>>& files) {
     std::shared_ptr<const SourceFile>& nearer = files[node.file.get()];
-    if (!nearer) nearer = std::make_shared<SourceFile>(node.file->path, node.file->text, node.file->generation - 1);
+    if (!nearer)
+        nearer = std::make_shared<SourceFile>(node.file->path, node.file->text, node.file->generation - nearest);
     node.file = nearer;
     const auto below = [&](std::vector<Node>& nodes) {
         for (Node& one : nodes) bring_nearer(one, files);

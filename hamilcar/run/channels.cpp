@@ -35,6 +35,11 @@ Vec3<double> chassis_velocity(const Sample& s) {
     return velocity_at<double>(s.velocity.chassis, center_of_mass(s));
 }
 
+double rack_force_in(const Sample& s) {
+    if (!s.rack_force) s.rack_force = rack_force(s.model, s.state, s.input, s.velocity, s.momenta);
+    return *s.rack_force;
+}
+
 // ISO 8855 angles: yaw about z, pitch about y', roll about x''.
 Vec3<double> roll_pitch_yaw(const Mat3<double>& R) {
     return {std::atan2(R(2, 1), R(2, 2)), -std::asin(std::clamp(R(2, 0), -1.0, 1.0)), std::atan2(R(1, 0), R(0, 0))};
@@ -93,14 +98,11 @@ void add_car_channels(const VehicleDescription& vehicle, std::vector<Channel>& l
             channel::steering_wheel, "deg", "of the steering wheel, to the left positive",
             [column](const Sample& s) { return column.angle(s.input.rack.displacement) / degree; }, true,
             ChannelRole::steering_wheel_angle);
-        add("input.rack_force", "N", "that holds the rack on its course, to the left positive; without power assist",
-            [](const Sample& s) { return rack_force(s.model, s.state, s.input, s.velocity, s.momenta); });
+        add("input.rack_force", "N",
+            "that holds the rack on its course, in the sense of input.rack; without power assist", rack_force_in);
         add(
             channel::steering_torque, "N m", "that the driver applies, without power assist; to the left positive",
-            [column](const Sample& s) {
-                return steering_torque(column, s.input.rack.displacement,
-                                       rack_force(s.model, s.state, s.input, s.velocity, s.momenta));
-            },
+            [column](const Sample& s) { return steering_torque(column, s.input.rack.displacement, rack_force_in(s)); },
             false, ChannelRole::steering_torque);
     }
     add(

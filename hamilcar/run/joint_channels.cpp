@@ -2,17 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <functional>
 #include <memory>
+
+#include "hamilcar/suspension/attachments.hpp"
 
 namespace hamilcar {
 
 namespace {
 
-std::string name_of(const std::string& suspension, std::string words) {
-    std::ranges::replace(words, ' ', '_');
-    return suspension + "." + words;
+std::string name_of(const std::string& suspension, const std::string& words) {
+    return suspension + "." + link_key(words);
 }
 
 // All suspensions' at once, since what they share takes most of the time.

@@ -124,11 +124,10 @@ void add_damper(const SuspensionDescription& suspension, std::size_t at, std::si
     const std::vector<double>& velocity = damper.damper.velocity;
     constexpr std::size_t straight = 2;  // points of a damper that has one coefficient and no end
     if (velocity.size() <= straight) return;
-    const bool turns = damper.line.coordinate && suspension.linkage.turns(*damper.line.coordinate);
     to.push_back({.kind = "damper_velocity",
                   .where = damper.name + ".damper",
                   .quantity = "velocity",
-                  .unit = turns ? "rad/s" : "m/s",
+                  .unit = "m/s",  // one that turns has a coefficient alone
                   .min = velocity.front(),
                   .max = velocity.back(),
                   .meaning = "the damper's curve ends there; its last piece is continued",

@@ -33,6 +33,7 @@ struct Sample {
     double mobility;         // smallest over the suspensions: 0 where a linkage locks
     // Found when first asked for; a sample belongs to one thread.
     mutable std::optional<VehicleJointForces> joint_forces{};
+    mutable std::optional<double> rack_force{};
 };
 
 // Why a run ended early.

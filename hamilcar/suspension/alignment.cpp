@@ -38,7 +38,7 @@ void shim(CutJointDescription& cut, const Vec3<double>& by) {
 
 // A link that is a part of its own is longer where its outer ball sits farther out.
 void lengthen(LinkageDescription& linkage, const TreeJointDescription& link, double amount) {
-    const auto ball = std::ranges::find(linkage.cuts, link.part + "'s ball", &CutJointDescription::name);
+    const auto ball = std::ranges::find(linkage.cuts, link.part + " ball", &CutJointDescription::name);
     ball->foot = plus(ball->foot, (vec3(ball->foot) - vec3(link.point)).normalized() * amount);
 }
 

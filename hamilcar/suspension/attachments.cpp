@@ -1,7 +1,9 @@
 #include "hamilcar/suspension/attachments.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cctype>
+
+#include "hamilcar/base/assert.hpp"
 
 namespace hamilcar {
 
@@ -9,21 +11,35 @@ namespace {
 
 constexpr std::array<std::string_view, 2> sides{"left ", "right "};
 
-// "lower_link" of "left lower link".
-std::string key_of(std::string_view name) {
+// "lower_link" of "left lower link", where a composition holds both.
+std::string key_in(const Composition& composition, std::string_view name) {
     for (const std::string_view side : sides) {
-        if (name.starts_with(side)) name.remove_prefix(side.size());
+        if (composition.carriers.size() == 2 && name.starts_with(side)) name.remove_prefix(side.size());
     }
-    std::string key(name);
-    std::ranges::transform(key, key.begin(), [](char c) {
-        return c == ' ' ? '_' : c >= 'A' && c <= 'Z' ? char(c + 32) : c;
-    });
-    return key;
+    return link_key(name);
+}
+
+Point between(const Point& a, const Point& b) {
+    return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+}
+double dot(const Point& a, const Point& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Point along(const Point& from, const Point& direction, double length) {
+    return {from[0] + length * direction[0], from[1] + length * direction[1], from[2] + length * direction[2]};
 }
 
 bool is_link(const CutJointDescription& cut) {
-    return (cut.kind == CutJoint::distance || cut.kind == CutJoint::revolute_spherical) && cut.drive == Point{} &&
-           !cut.length;
+    return (cut.kind == CutJoint::distance || cut.kind == CutJoint::revolute_spherical) && cut.drive == Point{};
+}
+
+// The link's outer end, which is not where it is held if the link has a length of its own.
+Point outer_end(const CutJointDescription& cut) {
+    if (!cut.length) return cut.tip;
+    Point inner = cut.foot;
+    if (cut.kind == CutJoint::revolute_spherical)
+        inner = along(inner, cut.axis, dot(cut.axis, between(cut.foot, cut.tip)));
+    return along(inner, direction_between(inner, cut.tip), *cut.length);
 }
 
 // The tree joint that carries the link, and its outer end as a cut joint in the link's place.
@@ -37,21 +53,30 @@ std::size_t link_part(Composition& to, CutJointDescription& cut) {
         to.linkage.joints.back().other_bush = cut.other_bush;
     }
     cut = {.kind = CutJoint::spherical,
-           .name = cut.name + "'s ball",
+           .name = cut.name + " ball",
            .part = cut.part,
            .base = part,
            .tip = cut.tip,
-           .foot = cut.tip};
+           .foot = outer_end(cut)};
     return part;
 }
 
 }  // namespace
 
+std::string link_key(std::string_view name) {
+    std::string key(name);
+    for (char& c : key) {
+        const auto letter = static_cast<unsigned char>(c);
+        c = std::isalnum(letter) ? static_cast<char>(std::tolower(letter)) : '_';
+    }
+    return key;
+}
+
 std::vector<std::string> link_keys(const Composition& composition) {
     std::vector<std::string> keys;
     if (composition.links_are_equivalent) return keys;
     for (const CutJointDescription& cut : composition.linkage.cuts) {
-        const std::string key = key_of(cut.name);
+        const std::string key = key_in(composition, cut.name);
         if (is_link(cut) && std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
     }
     return keys;
@@ -60,10 +85,11 @@ std::vector<std::string> link_keys(const Composition& composition) {
 void make_part(Composition& composition, std::string_view key) {
     PartChoice choice{.name = std::string(key), .left = 0, .right = 0, .has_table = true};
     for (CutJointDescription& cut : composition.linkage.cuts) {
-        if (!is_link(cut) || key_of(cut.name) != key) continue;
+        if (!is_link(cut) || key_in(composition, cut.name) != key) continue;
         const std::size_t part = link_part(composition, cut);
         (choice.left == 0 ? choice.left : choice.right) = part;
     }
+    HAMILCAR_ASSERT(choice.left != 0);
     if (choice.right == 0) choice.right = choice.left;
     composition.parts.push_back(choice);
 }

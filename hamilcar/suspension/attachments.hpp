@@ -11,6 +11,9 @@
 
 namespace hamilcar {
 
+// The key of a joint or a part by its name: small letters and digits, '_' for everything else.
+std::string link_key(std::string_view name);
+
 // The keys of a composition's massless links and arms: "link_3", "upper_arm", "lower_link" of the left and the right one. Without rods
 // that the rack moves.
 std::vector<std::string> link_keys(const Composition& composition);

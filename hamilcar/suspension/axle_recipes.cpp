@@ -121,18 +121,14 @@ Composition twist_beam(const Hardpoints& p) {
 // Appends the keys that a steered solid axle needs.
 std::vector<HardpointKey> with_steering(std::vector<HardpointKey> keys) {
     const std::vector<HardpointKey> steering{
-        {"steered", HardpointKind::flag, "whether the wheels turn on kingpins", {0}, false, true},
+        one_for_both({"steered", HardpointKind::flag, "whether the wheels turn on kingpins", {0}}),
         {"kingpin_lower_m", point, "left kingpin, lower end", {}, true},
         {"kingpin_upper_m", point, "left kingpin, upper end", {}, true},
         {"tie_rod_m", point, "tie rod, end on the left knuckle; the other is its mirror image", {}, true},
-        {"drag_link_body_m", point, "drag link, end at the steering gear", {}, true, true},
-        {"drag_link_knuckle_m", point, "drag link, end on the left knuckle", {}, true, true},
-        {"rack_axis",
-         HardpointKind::direction,
-         "in which a positive rack moves the drag link's end",
-         {0, 1, 0},
-         false,
-         true}};
+        one_for_both({"drag_link_body_m", point, "drag link, end at the steering gear", {}, true}),
+        one_for_both({"drag_link_knuckle_m", point, "drag link, end on the left knuckle", {}, true}),
+        one_for_both(
+            {"rack_axis", HardpointKind::direction, "in which a positive rack moves the drag link's end", {0, 1, 0}})};
     keys.insert(keys.end(), steering.begin(), steering.end());
     return keys;
 }
@@ -150,8 +146,8 @@ std::map<std::string_view, Point> with_steering_points(std::map<std::string_view
 
 const HardpointKey lower_body{"lower_body_m", point, "left lower link, end on the chassis"};
 const HardpointKey lower_axle{"lower_axle_m", point, "left lower link, end on the axle"};
-const HardpointKey upper_body{"upper_body_m", point, "upper link, end on the chassis", {}, false, true};
-const HardpointKey upper_axle{"upper_axle_m", point, "upper link, end on the axle", {}, false, true};
+const HardpointKey upper_body = one_for_both({"upper_body_m", point, "upper link, end on the chassis"});
+const HardpointKey upper_axle = one_for_both({"upper_axle_m", point, "upper link, end on the axle"});
 
 }  // namespace
 
@@ -176,12 +172,9 @@ const Recipe panhard_axle_recipe{
     .keyword = "panhard_axle",
     .title = "Solid axle on three links with Panhard rod",
     .two_wheels = true,
-    .keys = with_steering({lower_body,
-                           lower_axle,
-                           upper_body,
-                           upper_axle,
-                           {"panhard_body_m", point, "Panhard rod, end on the chassis", {}, false, true},
-                           {"panhard_axle_m", point, "Panhard rod, end on the axle", {}, false, true}}),
+    .keys = with_steering({lower_body, lower_axle, upper_body, upper_axle,
+                           one_for_both({"panhard_body_m", point, "Panhard rod, end on the chassis"}),
+                           one_for_both({"panhard_axle_m", point, "Panhard rod, end on the axle"})}),
     .spring_part = "axle",
     .compose = panhard,
     .typical = {.points = with_steering_points({{"lower_body_m", {0.669, 0.404, 0.315}},
@@ -197,16 +190,13 @@ const Recipe watt_axle_recipe{
     .keyword = "watt_axle",
     .title = "Solid axle on three links with Watt linkage",
     .two_wheels = true,
-    .keys = with_steering({lower_body,
-                           lower_axle,
-                           upper_body,
-                           upper_axle,
-                           {"watt_pivot_m", point, "pivot of the bell crank on the axle", {}, false, true},
-                           {"watt_axis", HardpointKind::direction, "axis of the bell crank", {1, 0, 0}, false, true},
-                           {"watt_left_crank_m", point, "left rod, end on the bell crank", {}, false, true},
-                           {"watt_left_body_m", point, "left rod, end on the chassis", {}, false, true},
-                           {"watt_right_crank_m", point, "right rod, end on the bell crank", {}, false, true},
-                           {"watt_right_body_m", point, "right rod, end on the chassis", {}, false, true}}),
+    .keys = with_steering({lower_body, lower_axle, upper_body, upper_axle,
+                           one_for_both({"watt_pivot_m", point, "pivot of the bell crank on the axle"}),
+                           one_for_both({"watt_axis", HardpointKind::direction, "axis of the bell crank", {1, 0, 0}}),
+                           one_for_both({"watt_left_crank_m", point, "left rod, end on the bell crank"}),
+                           one_for_both({"watt_left_body_m", point, "left rod, end on the chassis"}),
+                           one_for_both({"watt_right_crank_m", point, "right rod, end on the bell crank"}),
+                           one_for_both({"watt_right_body_m", point, "right rod, end on the chassis"})}),
     .spring_part = "axle",
     .compose = watt,
     .typical = {.points = with_steering_points({{"lower_body_m", {0.589, 0.458, 0.332}},
@@ -225,10 +215,10 @@ const Recipe leaf_axle_recipe{
     .keyword = "leaf_axle",
     .title = "Solid axle on leaf springs",
     .two_wheels = true,
-    .keys =
-        with_steering({{"front_eye_m", point, "left leaf, fixed eye"},
-                       {"seat_m", point, "left leaf, seat on the axle"},
-                       {"link_share", HardpointKind::number, "equivalent link over eye to seat", {0.75}, false, true}}),
+    .keys = with_steering(
+        {{"front_eye_m", point, "left leaf, fixed eye"},
+         {"seat_m", point, "left leaf, seat on the axle"},
+         one_for_both({"link_share", HardpointKind::number, "equivalent link over eye to seat", {0.75}})}),
     .spring_part = "axle",
     .compose = leaf,
     .typical = {.points = with_steering_points({{"front_eye_m", {0.57, 0.502, 0.335}}, {"seat_m", {0, 0.502, 0.359}}}),
@@ -240,7 +230,7 @@ const Recipe twist_beam_recipe{
     .title = "Twist beam",
     .two_wheels = true,
     .keys = {{"bush_m", point, "left bush on the chassis"},
-             {"beam_m", point, "a point of the beam's shear center line; its middle is taken", {}, false, true}},
+             one_for_both({"beam_m", point, "a point of the beam's shear center line; its middle is taken"})},
     .spring_part = "carrier",
     .compose = twist_beam,
     .typical = {.points = {{"bush_m", {0.415, 0.553, 0.325}}, {"beam_m", {0.276, 0, 0.324}}},

@@ -32,6 +32,12 @@ struct HardpointKey {
     bool shared = false;        // of a suspension with two wheels: there is one for both sides
 };
 
+// Of a suspension with two wheels, or of both sides of an axle: there is one of it.
+constexpr HardpointKey one_for_both(HardpointKey key) {
+    key.shared = true;
+    return key;
+}
+
 // What was read, by key; flags are 0 or 1.
 struct Hardpoints {
     std::map<std::string, Point, std::less<>> points;
@@ -96,6 +102,8 @@ struct Composition {
     std::vector<int> bar_arms;          // coordinates of an anti-roll bar's arms, of the wheels, left first; or none
     std::vector<Adjuster> adjusters;    // one for each angle, of each wheel
     std::array<PartEnd, 2> kingpin{};   // two points of the steering axis, lower one first, where caster can be set
+    std::vector<std::string>
+        bare_links{};                   // keys of the links that no key of the file names: nothing is mounted on them
     bool links_are_equivalent = false;  // they stand for something else, and nothing is mounted on them
     std::optional<int> twist;           // coordinate of a twist beam
     std::optional<LineDescription> spring_line, damper_line;  // of [axle.spring] and [axle.damper] where the suspension

@@ -8,13 +8,12 @@ namespace hamilcar {
 namespace {
 
 constexpr auto point = HardpointKind::point;
-constexpr HardpointKey steered{
-    "steered", HardpointKind::flag, "whether the rack moves the last link's inner end", {1}, false, true};
-constexpr HardpointKey not_steered{"steered", HardpointKind::flag, "whether the rack moves link 5's end", {0}, false,
-                                   true};
-constexpr HardpointKey rack_axis{
-    "rack_axis", HardpointKind::direction, "in which a positive rack displacement moves that end", {0, 1, 0}, false,
-    true};
+constexpr HardpointKey steered =
+    one_for_both({"steered", HardpointKind::flag, "whether the rack moves the last link's inner end", {1}});
+constexpr HardpointKey not_steered =
+    one_for_both({"steered", HardpointKind::flag, "whether the rack moves link 5's end", {0}});
+constexpr HardpointKey rack_axis = one_for_both(
+    {"rack_axis", HardpointKind::direction, "in which a positive rack displacement moves that end", {0, 1, 0}});
 
 // A rod that the rack moves if the axle is steered.
 void add_rod(Composition& to, const Hardpoints& p, const char* name, std::size_t carrier, const Point& outer,

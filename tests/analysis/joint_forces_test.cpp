@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hamilcar/analysis/rack_force.hpp"
@@ -61,6 +62,35 @@ TEST_P(JointForcesOf, HoldWhatTheIndependentCoordinatesSay) {
             EXPECT_LT(f.unbalanced, 1e-4) << "at " << time << " s [N or N m]";
         }
         EXPECT_GT(largest, 1000);
+    }
+}
+
+// With a bar's arms, links that are parts, and a spring on one.
+TEST(JointForces, HoldWhatTheIndependentCoordinatesSayWithAttachments) {
+    const std::string keys =
+        "anti_roll_bar = {rate_N_m_per_rad = 1500, pivot_m = [-0.3, 0.45, 0.2], arm_end_m = [0.0, 0.56, 0.2], link_m = "
+        "[0.0, 0.56, "
+        "0.5]}\n[[axle]]\nname = \"rear\"\nspring = {on = \"link_2\", at_m = [-2.72, 0.59, 0.19], rate_N_per_m = 25e3, "
+        "force_at_design_N = \"carry\"}\nlink_3 = {mass_kg = 1.5, center_of_mass_m = [-2.68, 0.55, 0.38], "
+        "inertia_kg_m2 = [0.004, "
+        "0.003, 0.005]}\n";
+    const VehicleDescription car = test::shipped_with("bmw_e90_330i", "front", keys);
+    for (const double time : {0.7, 1.1}) {
+        const Driven now(car, test::everything_moves(car, 3), time);
+        const VehicleJointForces all = now.forces();
+        for (std::size_t s = 0; s < all.size(); ++s)
+            EXPECT_LT(all[s].unbalanced, 1e-4) << "at " << time << " s [N or N m]";
+        // The drop link's tension turns the arm against the bar: no mass is on it.
+        const LinkageDescription& d = car.suspensions[0].linkage;
+        const auto link = static_cast<std::size_t>(std::ranges::find(d.cuts, "drop link", &CutJointDescription::name) -
+                                                   d.cuts.begin());
+        const LinkagePosition<double> at = now.unbalanced.position(0, 0);
+        const auto arm = static_cast<std::size_t>(frame_of_part(d, d.cuts[link].base));
+        const Vec bush = vec3(d.joints[d.cuts[link].base - 1].point), end = at.pose[arm].point(vec3(d.cuts[link].foot));
+        const double moment = (end - bush).cross(-all[0].cuts[link])[1],
+                     bar = now.sample.momenta.suspensions[0].wheels[0].bar;
+        EXPECT_NEAR(moment, -bar, 1e-4) << "[N m]";
+        EXPECT_GT(std::abs(bar), 5);
     }
 }
 

@@ -76,7 +76,7 @@ void expect_refusal(const std::string& vehicle, const std::string& axle, const s
 
 TEST(RightSide, HasNothingOfItsOwnThatIsOneForBoth) {
     expect_refusal("bmw_323i", "front", "right.name = \"x\"",
-                   {"'axle[front].right.name'", "where both sides are told"});
+                   {"'axle[front].right.name'", "no such key: it is one for both sides, in axle[front]"});
     expect_refusal("bmw_323i", "front", "right.anti_roll_bar.rate_N_per_m = 1.0",
                    {"right.anti_roll_bar.rate_N_per_m' = 1.0", "the left side's: the bar is one for both sides"});
     expect_refusal("bmw_323i", "front", "right.hardpoints.rack_axis = [0, -1, 0]",
@@ -108,6 +108,58 @@ TEST(AntiRollBar, NeedsAnArmAndALink) {
                    {"anti_roll_bar.on' = \"link_9\"", "'link_1'", "'link_2'", "did you mean"});
 }
 
+// The drop link is no link that something else may sit on: it is there only with the bar.
+TEST(AntiRollBar, CarriesNothingOnItsDropLink) {
+    expect_refusal("bmw_e90_330i", "rear",
+                   "spring.on = \"drop_link\"\nanti_roll_bar = {rate_N_m_per_rad = 900.0, pivot_m = [-2.6, 0.45, 0.2], "
+                   "arm_end_m = "
+                   "[-2.7, 0.5, 0.2], link_m = [-2.7, 0.5, 0.3]}",
+                   {"spring.on' = \"drop_link\"", "expected one of 'carrier', 'link_1', 'link_2'"});
+}
+
+// What a nearer file says of the axle does not count where the right side says it in its own way.
+TEST(RightSide, CountsWhereverTheAxlesOwnKeysStand) {
+    const TemporaryFolder folder;
+    const std::string base =
+        folder.write("base.toml", "base = \"" + repository_path("vehicles/bmw_323i.toml") +
+                                      "\"\n[[axle]]\nname = \"front\"\nright.wheel.spin_axis = [0, 1, 0.02]\n");
+    const std::string top =
+        folder.write("top.toml", "base = \"base.toml\"\n[[axle]]\nname = \"front\"\nwheel.camber_deg = -1.0\n");
+    const VehicleDescription car = read_vehicle(top);
+    EXPECT_NEAR(car.suspensions[1].wheels[0].wheel.spin_axis[2], -0.02, 1e-5);
+    EXPECT_NEAR(car.suspensions[0].wheels[0].wheel.spin_axis[2], 0.01745, 1e-4);
+}
+
+// A rod with a length of its own may carry something, too: its outer ball is that far out.
+TEST(RightSide, MayHaveAnArmOfAnotherLengthThatIsAPart) {
+    const std::string keys =
+        "right.hardpoints.arm_length_m = 0.33\ncontrol_arm = {mass_kg = 2.0, center_of_mass_m = [-0.1, 0.5, 0.18], "
+        "inertia_kg_m2 = [0.02, 0.02, 0.02]}\n";
+    const VehicleDescription car = shipped_with("bmw_323i", "front", keys);
+    for (const std::size_t s : {0, 1}) {
+        const SuspensionDescription& side = car.suspensions[s];
+        ASSERT_EQ(side.bodies.size(), 2u);
+        EXPECT_EQ(side.linkage.joints[side.bodies[1].part - 1].part, "control arm");
+        const CutJointDescription& ball = side.linkage.cuts[0];
+        const Point& bush = side.linkage.joints.back().point;
+        const double out = std::hypot(ball.foot[1] - bush[1], ball.foot[2] - bush[2]);
+        if (s == 1) EXPECT_NEAR(out, 0.33, 2e-3);
+        EXPECT_EQ(s == 0, ball.foot == ball.tip);
+    }
+}
+
+TEST(AlignmentKeys, OfASuspensionWithBothWheelsAreForBoth) {
+    expect_refusal("offroader", "front", "right.alignment.toe_in_deg = 0.3",
+                   {"'axle[front].right.alignment'", "toe of both wheels, since one suspension carries them"});
+}
+
+TEST(RightSide, HasNoBarThatTheAxleHasNot) {
+    expect_refusal("hatchback", "rear", "right.anti_roll_bar.rate_N_per_m = 9.0",
+                   {"'axle[rear].right.anti_roll_bar'", "no such table: the axle itself has none"});
+    expect_refusal("bmw_323i", "front", "right.hardpoints.steered = false",
+                   {"right.hardpoints.steered' = false", "the left side's: it is one for both sides"});
+}
+
 // A seat that is turned up is a force more; the diagonal that it stands on carries more, and the car leans away.
 TEST(SpringSeat, ShiftsLoadToItsDiagonal) {
     const VehicleDescription plain = shipped("bmw_323i"),
@@ -133,6 +185,10 @@ TEST(SpringSeat, ShiftsLoadToItsDiagonal) {
     EXPECT_GT(after[2], before[2] + 20);
     EXPECT_LT(after[0], before[0] - 20);
     EXPECT_NEAR(after[0] + after[1] + after[2] + after[3], before[0] + before[1] + before[2] + before[3], 1e-6);
+    const auto carried = loads(shipped_with("bmw_323i", "front", "spring.force_at_design_N = \"carry\"\n"));
+    const auto turned_up =
+        loads(shipped_with("bmw_323i", "front", "spring.force_at_design_N = \"carry\"\nright.spring.seat_m = 0.01\n"));
+    EXPECT_NEAR(turned_up[1] - carried[1], after[1] - before[1], 1) << "a seat counts beyond what carries";
 }
 
 }  // namespace

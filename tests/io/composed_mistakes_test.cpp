@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "files.hpp"
 #include "hamilcar/io/vehicle_file.hpp"
 
@@ -177,6 +180,63 @@ TEST(OwnLinkage, PartsAndEnds) {
                 "foot_m = [0.14, 0.68, 0.24]",
                 "[0.14, 0.68, 0.24]\n[axle.carrier]",
                 {"a point apart from 'tip_m'"}});
+}
+
+// Names are keys of tables and beginnings of channels.
+TEST(OwnLinkage, HasNamesThatNothingElseHas) {
+    expect_own(
+        {"CutAsTable", "name = \"toe link\"", "name = \"Brake\"", "\"Brake\"", {"no other table of an axle has"}});
+    expect_own({"CutAsPart", "name = \"toe link\"", "name = \"Arm\"", "\"Arm\"", {"no part and no other cut has"}});
+    expect_own({"CutAsCut",
+                "name = \"toe link\"",
+                "name = \"upper_arm\"",
+                "\"upper_arm\"",
+                {"a name that no part and no other cut has, however it is spelled"}});
+}
+
+TEST(OwnLinkage, SetsAnAngleByOneCutForEachWheel) {
+    const std::string sets = "name = \"toe link\"", both = sets + "\nsets = \"toe\"";
+    const TemporaryFolder folder;
+    const VehicleDescription car = read_vehicle(
+        folder.write("sets.toml", changed(own_linkage, sets, both) + "[axle.alignment]\ntoe_in_deg = 1.5\n"));
+    for (const SuspensionDescription& side : car.suspensions) {
+        const Point& axis = side.wheels[0].wheel.spin_axis;
+        EXPECT_NEAR(std::abs(std::atan2(axis[0], axis[1])), 1.5 * std::numbers::pi / 180, 1e-9);
+    }
+    const std::string second =
+        "[[axle.cut]]\nkind = \"distance\"\nname = \"prop\"\npart = \"carrier\"\nsets = \"toe\"\n"
+        "tip_m = [0.0, 0.7, 0.3]\nfoot_m = [0.1, 0.5, 0.9]\n[[axle.cut]]\nkind = \"distance\"\n";
+    expect_own({"Two",
+                "[[axle.cut]]\nkind = \"distance\"\n" + sets,
+                second + both,
+                "[[axle.cut]]",
+                {"as many that set toe as the linkage has wheels, or none"}});
+    expect_own({"Plane",
+                "axis = [1, 0, 0]\n[[axle.cut]]",
+                "axis = [1, 0, 0]\nsets = \"camber\"\n[[axle.cut]]",
+                "\"camber\"",
+                {".sets' = \"camber\"", "of kind 'distance'"}});
+}
+
+// A part's name has to mean the same on both sides.
+TEST(OwnLinkage, HasTheSameJointsOnBothSides) {
+    const std::string right =
+        "[[axle.right.joint]]\nkind = \"revolute\"\npart = \"lever\"\npoint_m = [0, 0.3, 0.2]\naxis = [1, 0, 0]\n"
+        "[[axle.right.joint]]\nkind = \"spherical\"\npart = \"carrier\"\nparent = \"lever\"\npoint_m = [0, 0.68, "
+        "0.18]\n";
+    const TemporaryFolder folder;
+    const auto read = [&](const std::string& joints) {
+        return read_vehicle(folder.write("r.toml", own_linkage + joints));
+    };
+    expect_error([&] { read(right + "[axle.right.spring]\non = \"lever\"\n"); }, ExitCode::bad_file,
+                 {"'axle[front].right'", "the joints and cuts of the left side, in their order"});
+    std::string same = right;
+    for (std::size_t at = same.find("lever"); at != std::string::npos; at = same.find("lever"))
+        same.replace(at, 5, "arm");
+    same.replace(same.find("0.3, 0.2"), 8, "0.31, 0.2");
+    const VehicleDescription car = read(same);
+    EXPECT_EQ(car.suspensions[0].linkage.joints[0].point[1], 0.3);
+    EXPECT_EQ(car.suspensions[1].linkage.joints[0].point[1], -0.31);
 }
 
 }  // namespace

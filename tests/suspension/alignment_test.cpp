@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hamilcar/analysis/kinematics.hpp"
@@ -138,6 +139,33 @@ TEST(Alignment, IsACarWithALongerTieRodThatSettled) {
     }
     const double design = vec3(test::shipped("bmw_323i").suspensions[0].wheels[0].wheel.spin_axis)[0];
     EXPECT_GT(std::abs(v.suspensions[0].axis[0][0] - design), 5e-3) << "it did turn";
+}
+
+// The link that sets camber is a part that the spring and a bar sit on, which stays untwisted.
+TEST(Alignment, TurnsALinkThatIsAPart) {
+    const std::string bar =
+        "anti_roll_bar = {rate_N_m_per_rad = 600, pivot_m = [-2.6, 0.4, 0.35], arm_end_m = [-2.75, 0.5, 0.35], link_m "
+        "= [-2.76, 0.52, "
+        "0.41], on = \"link_4\"}\n";
+    const VehicleDescription before = test::shipped_with("bmw_e90_330i", "rear", bar);
+    const VehicleDescription after =
+        test::shipped_with("bmw_e90_330i", "rear", bar + "alignment = {toe_in_deg = 0.3, camber_deg = -2.4}\n");
+    const AxleFigures found = at_design(after, "rear");
+    for (const WheelFigures& wheel : {found.left, found.right}) {
+        EXPECT_NEAR(wheel.toe / degree, 0.3, 1e-7);
+        EXPECT_NEAR(wheel.camber / degree, -2.4, 1e-7);
+    }
+    const auto length_of = [](const VehicleDescription& car, const std::string& link, const std::string& ball) {
+        const LinkageDescription& d = car.suspensions[2].linkage;
+        const auto joint = std::ranges::find(d.joints, link, &TreeJointDescription::part);
+        const auto cut = std::ranges::find(d.cuts, ball, &CutJointDescription::name);
+        return (vec3(cut->foot) - vec3(joint->point)).norm();
+    };
+    EXPECT_GT(std::abs(length_of(after, "link 4", "link 4 ball") - length_of(before, "link 4", "link 4 ball")), 1e-3);
+    EXPECT_NEAR(length_of(after, "bar arm", "drop link"), length_of(before, "bar arm", "drop link"), 1e-11);
+    const Model<double> model = test::make_model(after);
+    const State<double> design = design_state(model, Vec3<double>::Zero(), Mat3<double>::Identity());
+    EXPECT_EQ(bar_deflections(model.vehicle, design, velocity_block(model, design, {}))[2], 0);
 }
 
 TEST(Alignment, OfTheRightSideAlone) {
