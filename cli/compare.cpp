@@ -27,7 +27,7 @@ struct CompareOptions {
     bool open = false, json = false;
 };
 
-NamedOutcome read_one(const std::string& given, long rows) {
+NamedOutcome read_one(const std::string& given, long rows, std::size_t outcomes) {
     const fs::path path = fs::is_directory(given) ? fs::path(given) / "outcome.json" : fs::path(given);
     if (!fs::exists(path)) {
         throw io::Error(io::ExitCode::input_output, path.string() +
@@ -39,7 +39,7 @@ NamedOutcome read_one(const std::string& given, long rows) {
         fmt::print(stderr, "hamilcar: note: {} is of a maneuver that was interrupted\n", path.string());
     }
     const fs::path replay = path.parent_path() / "drive.nc";
-    if (fs::exists(replay)) run.second.runs.push_back(read_run(replay.string(), rows));
+    if (fs::exists(replay)) run.second.runs.push_back(read_run(replay.string(), rows, outcomes));
     return run;
 }
 
@@ -85,7 +85,7 @@ io::ExitCode compare(const CompareOptions& options) {
     if (!options.csv.empty()) check_table_output(options.csv);
     std::vector<NamedOutcome> runs;
     for (const std::string& given : options.outcomes) {
-        runs.push_back(read_one(given, options.rows));
+        runs.push_back(read_one(given, options.rows, options.outcomes.size()));
         if (runs.back().first.maneuver != runs[0].first.maneuver) {
             fmt::print(stderr, "hamilcar: note: different maneuvers: {} has {}, {} has {}\n", options.outcomes[0],
                        runs[0].first.maneuver, given, runs.back().first.maneuver);
@@ -115,7 +115,7 @@ void add_compare(CommandList& list) {
     command.add("outcomes", o.outcomes, "folders that 'run --maneuver' wrote, or their outcome.json").required();
     command.add("-o,--output", o.output, "the page");
     command.add("--csv", o.csv, "file for figures and verdicts as a table");
-    command.add("--rows", o.rows, {100, 1e7}, "of each drive, at most");
+    command.add("--rows", o.rows, {100, 1e7}, "of all drives together, at most");
     command.add("--open", o.open, "open it in the browser");
     command.add_json(o.json);
 }

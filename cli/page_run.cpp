@@ -9,7 +9,13 @@
 
 namespace hamilcar::cli {
 
-io::PageRun read_run(const std::string& path, long rows) {
+namespace {
+
+constexpr std::size_t fewest_rows = 100;  // of a run, however many share a page
+
+}  // namespace
+
+io::PageRun read_run(const std::string& path, long rows, std::size_t runs) {
     io::ResultFile file = io::read_result(path);
     io::PageRun run{.name = std::move(file.title),
                     .file = path,
@@ -21,10 +27,10 @@ io::PageRun read_run(const std::string& path, long rows) {
     const bool of_earlier_version = !run.scene.empty() && std::ranges::none_of(run.columns, moves);
     if (of_earlier_version) run.scene.clear();
     const std::size_t all = run.values[0].size();
-    thin(run, static_cast<std::size_t>(rows));
+    thin(run, std::max(static_cast<std::size_t>(rows) / runs, fewest_rows));
     if (run.values[0].size() < all) {
         fmt::print(stderr, "hamilcar: {}: {} of {} rows are shown; --rows {} shows all\n", path, run.values[0].size(),
-                   all, all);
+                   all, all * runs);
     }
     if (run.scene.empty()) {
         fmt::print(stderr, "hamilcar: {}: {}; plots only\n", path,

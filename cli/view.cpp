@@ -81,7 +81,7 @@ io::ExitCode view(const ViewOptions& options) {
     io::Page page;
     if (!options.output.empty()) check_output(options.output);
     for (const std::string& file : options.results) {
-        page.runs.push_back(read_run(file, options.rows));
+        page.runs.push_back(read_run(file, options.rows, options.results.size()));
         page.runs.back().name = name_of(file, page.runs.back().name, options.results.size() == 1);
     }
     name_apart(page.runs);
@@ -105,7 +105,7 @@ void add_view(CommandList& list) {
         "view", "show results as an animation with plots: one page that opens in any browser", view);
     command.add("results", o.results, "result files (results.nc); several are compared").required();
     command.add("-o,--output", o.output, "the page [view.html or comparison.html beside the first result]");
-    command.add("--rows", o.rows, {100, 1e7}, "of each run, at most");
+    command.add("--rows", o.rows, {100, 1e7}, "of all runs together, at most");
     command.add("--open", o.open, "open it in the browser");
 }
 

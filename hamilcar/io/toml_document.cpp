@@ -141,7 +141,8 @@ constexpr int nearest = 2 * static_cast<int>(max_bases);  // generations
 void bring_nearer(Node& node, std::unordered_map<const SourceFile*, std::shared_ptr<const SourceFile>>& files) {
     std::shared_ptr<const SourceFile>& nearer = files[node.file.get()];
     if (!nearer)
-        nearer = std::make_shared<SourceFile>(node.file->path, node.file->text, node.file->generation - nearest);
+        nearer =
+            std::make_shared<SourceFile>(SourceFile{node.file->path, node.file->text, node.file->generation - nearest});
     node.file = nearer;
     const auto below = [&](std::vector<Node>& nodes) {
         for (Node& one : nodes) bring_nearer(one, files);

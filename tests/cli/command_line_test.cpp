@@ -1,6 +1,8 @@
 // The command line itself: help, unknown words, quiet and verbose, what shells and man(1) are given.
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 #include "cli/program.hpp"
 
 namespace hamilcar {
@@ -56,6 +58,17 @@ TEST_F(Program, TellsWhatItWroteOnStandardOutput) {
     EXPECT_THAT(text.out, HasSubstr("wrote kinematics.html"));
     EXPECT_EQ(text.err, "");
     EXPECT_THAT(json.out, Not(HasSubstr("wrote"))) << "one JSON object";
+}
+
+// Ten runs on one page make it no larger than one.
+TEST_F(Program, SharesTheRowsOfAPageAmongItsRuns) {
+    ASSERT_EQ(run("run " + test::source_path("scenarios/slalom.toml") + " -o a").code, 0);
+    const Outcome one = run("view a/results.nc -o one.html --rows 1601"),
+                  two = run("view a/results.nc a/results.nc -o two.html --rows 1601");
+    EXPECT_EQ(one.err, "");
+    EXPECT_THAT(two.err, HasSubstr("of 1601 rows are shown; --rows 3202 shows all"));
+    EXPECT_LT(static_cast<double>(std::filesystem::file_size(folder_ / "two.html")),
+              1.1 * static_cast<double>(std::filesystem::file_size(folder_ / "one.html")));
 }
 
 // What bash offers for a line, its last word unfinished.
