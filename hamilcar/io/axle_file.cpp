@@ -6,8 +6,6 @@
 
 namespace hamilcar::io {
 
-using hamilcar::mirrored;
-
 namespace {
 
 // The right side of an axle: the left one seen in the plane y = 0.
