@@ -1,6 +1,7 @@
 // `hamilcar check FILE`: validates, assembles, and counts.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -47,9 +48,14 @@ std::vector<double> static_load(const Sample& sample, std::size_t number) {
     return out;
 }
 
+// Of a vehicle of the paper's shape: two struts in front, two semi-trailing arms behind, and no body besides.
 std::optional<Table2> table_2(const Structure& counted) {
-    if (counted.bodies != 1 + static_cast<int>(counted.suspensions.size()) || counted.hitch_freedoms > 0)
-        return std::nullopt;
+    const auto number_of = [&](std::string_view kind) {
+        return std::ranges::count(counted.suspensions, kind, &SuspensionStructure::suspension);
+    };
+    const bool is_of_shape = counted.suspensions.size() == 4 && number_of("macpherson") == 2 &&
+                             number_of("semi_trailing_arm") == 2 && counted.bodies == 5 && counted.hitch_freedoms == 0;
+    if (!is_of_shape) return std::nullopt;
     Table2 table{.rows = paper_table_2(counted, false), .coordinates = 7 * counted.bodies};
     for (const ConstraintRow& row : table.rows) table.constraints += row.constraints;
     return table;

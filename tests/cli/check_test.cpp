@@ -17,6 +17,9 @@ TEST_F(Program, ChecksAVehicleAndCountsTenDegreesOfFreedom) {
     ASSERT_EQ(r.code, 0) << r.err;
     EXPECT_THAT(r.out, HasSubstr("degrees of freedom       10"));
     EXPECT_THAT(r.out, HasSubstr("5 x 7 = 35 coordinates - 25 constraints = 10"));
+    const Outcome other = run("check --structure " + test::source_path("vehicles/bmw_e90_330i.toml"));
+    EXPECT_THAT(other.out, HasSubstr("degrees of freedom       10"));
+    EXPECT_THAT(other.out, testing::Not(HasSubstr("Table 2"))) << "five links are not of the paper's shape";
     const auto facts = nlohmann::json::parse(run("check --json " + shipped).out);
     EXPECT_EQ(facts["degrees_of_freedom"], 10);
     EXPECT_EQ(facts["bodies"], 5);
@@ -27,7 +30,7 @@ TEST_F(Program, ChecksAVehicleAsAColleagueWould) {
     const Outcome r = run("check --strict " + shipped);
     ASSERT_EQ(r.code, 0) << r.err;
     for (const char* piece : {"wheelbase                2.570 m", "steering ratio", "turning circle", "axle 2 (rear)",
-                              "front wheel hop", "static stability factor"})
+                              "front wheel hop", "static stability factor", "cross weight 50.00 %"})
         EXPECT_THAT(r.out, HasSubstr(piece));
     EXPECT_THAT(r.out, testing::Not(HasSubstr("Table 2"))) << "the paper's only where it is asked";
     const std::string car = changed("vehicles/bmw_323i.toml", "per_revolution = 0.0365", "per_revolution = 36.5");
