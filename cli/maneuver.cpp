@@ -13,6 +13,7 @@
 #include "hamilcar/io/spelling.hpp"
 #include "hamilcar/maneuver/outcome_file.hpp"
 #include "hamilcar/run/channels.hpp"
+#include "hamilcar/run/replay_rows.hpp"
 #include "interrupt.hpp"
 #include "outcome_files.hpp"
 #include "progress.hpp"
@@ -169,6 +170,9 @@ io::ExitCode drive_maneuver(const Maneuver& maneuver, const VehicleDescription& 
     };
     Outcome outcome = maneuver.drive(vehicle, settings, driven);
     progress.clear();
+    for (io::PageRun& one : outcome.runs) {
+        if (options.interval) keep_rows_apart(one, *options.interval);
+    }
     if (run.interrupted) outcome.notes.emplace_back("interrupted: this is of a part of the maneuver");
     print_and_write(run, outcome, {folder, options.json, options.csv, options.silent});
     if (run.interrupted) return io::ExitCode::interrupted;

@@ -170,11 +170,11 @@ io::ExitCode run_scenario(const RunOptions& options, ScenarioDescription scenari
         throw io::Error(io::ExitCode::usage,
                         "run: --set belongs to a maneuver; " + options.scenario + " asks for none");
     }
-    if (!options.channels.empty() || options.csv || options.no_recording) {
-        throw io::Error(
-            io::ExitCode::usage,
-            "run: --channel, --csv and --no-recording belong to a maneuver; a scenario says what it records "
-            "in its [output]");
+    if (!options.channels.empty() || options.csv || options.no_recording || options.interval) {
+        throw io::Error(io::ExitCode::usage,
+                        "run: --channel, --csv, --interval and --no-recording belong to a maneuver; a scenario says "
+                        "what it records "
+                        "in its [output]");
     }
     check_can_resume(options, scenario);
     if (options.step) scenario.solver.step = *options.step;
@@ -227,9 +227,12 @@ void add_run(CommandList& list) {
     const Option channels =
         command.add("--channel", o.channels, "to record of a maneuver, a name or a prefix with '*'; may be repeated");
     const Option csv = command.add("--csv", o.csv, "a maneuver's recording as a table, too");
+    const Option interval = command.add("--interval", o.interval, {1e-6, 1e6, "s"},
+                                        "between rows of a maneuver's recording, at least; else every one is kept");
     command.add("--no-recording", o.no_recording, "figures and diagrams of a maneuver alone")
         .excludes(channels)
-        .excludes(csv);
+        .excludes(csv)
+        .excludes(interval);
     command.add("--step", o.step, {io::time_step.min, io::time_step.max, "s"},
                 "of the integration, instead of the scenario's");
     const Option checkpoint =

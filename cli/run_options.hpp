@@ -18,6 +18,7 @@ struct RunOptions {
     std::vector<std::string> settings;          // of the maneuver, "speed=80"
     std::vector<std::string> channels;          // of a maneuver's recording
     bool csv = false, no_recording = false;     // of a maneuver
+    std::optional<double> interval;             // between rows of its recording, at least [s]
     std::optional<double> step;                 // instead of the scenario's [s]
     std::string checkpoint, resume;             // files
     std::optional<double> checkpoint_interval;  // of simulated time [s]

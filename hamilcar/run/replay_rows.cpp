@@ -64,6 +64,19 @@ void thin(io::PageRun& run, std::size_t most_rows) {
     }
 }
 
+void keep_rows_apart(io::PageRun& run, double interval) {
+    const std::vector<double> time = run.values[0];
+    const double slack = 1e-9 * interval;  // of times that are sums of steps
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        if (kept.empty() || i + 1 == time.size() || time[i] - time[kept.back()] >= interval - slack) kept.push_back(i);
+    }
+    for (std::vector<double>& values : run.values) {
+        for (std::size_t n = 0; n < kept.size(); ++n) values[n] = values[kept[n]];
+        values.resize(kept.size());
+    }
+}
+
 std::vector<RoadTile> tiles_along(const PlaneRoad<double>& plane, const Surface* surface, std::span<const double> x,
                                   std::span<const double> y) {
     std::vector<RoadTile> tiles;

@@ -34,6 +34,9 @@ private:
 // Of rows that were read back: the same thinning. Nothing happens to fewer.
 void thin(io::PageRun& run, std::size_t most_rows);
 
+// Leaves out the rows that follow another one by less than the interval [s], but for the last.
+void keep_rows_apart(io::PageRun& run, double interval);
+
 // The patches of an uneven road that a path of the chassis leads over, with what lies beside it; none on a plane.
 std::vector<RoadTile> tiles_along(const PlaneRoad<double>& plane, const Surface* surface, std::span<const double> x,
                                   std::span<const double> y);

@@ -73,6 +73,10 @@ TEST_F(Program, RecordsWhatIsAskedForOfAManeuver) {
     EXPECT_THAT(contents(folder_ / "out/drive.nc"),
                 AllOf(HasSubstr("setting_speed_km_per_h"), HasSubstr(car), HasSubstr("energy.kinetic")));
 
+    ASSERT_EQ(run(words + " --csv --channel chassis.velocity.* --interval 0.5").code, 0);
+    const std::string rows = contents(folder_ / "out/drive.csv");
+    EXPECT_THAT(rows, AllOf(HasSubstr("\n0.5,"), HasSubstr("\n1,"), testing::Not(HasSubstr("\n0.25,"))));
+
     ASSERT_EQ(run(words + " --no-recording").code, 0);
     EXPECT_FALSE(fs::exists(folder_ / "out/drive.csv"));  // of the drive before
     EXPECT_FALSE(fs::exists(folder_ / "out/drive.nc"));
@@ -82,6 +86,7 @@ TEST_F(Program, RecordsWhatIsAskedForOfAManeuver) {
     EXPECT_EQ(typo.code, 2);
     EXPECT_THAT(typo.err, HasSubstr("unknown channel \"energy.kinetik\"; did you mean \"energy.kinetic\"?"));
     EXPECT_EQ(run(words + " --csv --no-recording").code, 2);
+    EXPECT_EQ(run(words + " --interval 0.1 --no-recording").code, 2);
     EXPECT_EQ(run("run " + scenario_for(car) + " --csv").code, 2);
 }
 
