@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <tuple>
 
 #include "hamilcar/io/key_record.hpp"
@@ -211,6 +213,15 @@ private:
     std::vector<const Node*> unread_;  // of groups that another one overrides
 };
 
+// Made once: who tries many files that have mistakes does not wait for it each time.
+const TableRecord& format_of(DescribeFormat describe) {
+    static std::mutex mutex;
+    static std::map<DescribeFormat, TableRecord> formats;
+    const std::scoped_lock lock(mutex);
+    const auto known = formats.find(describe);
+    return known != formats.end() ? known->second : formats.emplace(describe, record_keys(describe)).first->second;
+}
+
 // "file:line:column: key 'x'", which tells two mistakes apart.
 std::string_view place_in(std::string_view message) {
     const std::size_t key = message.find("key '");
@@ -231,13 +242,12 @@ std::vector<std::string> mistakes_of(const Node& document, const TableRecord& fo
     return out;
 }
 
-void with_every_mistake(const Node& document, const std::function<void(const TableReader&)>& describe,
-                        const std::function<void()>& read) {
+void with_every_mistake(const Node& document, DescribeFormat describe, const std::function<void()>& read) {
     try {
         read();
     } catch (const Error& first) {
         if (first.code() != ExitCode::bad_file) throw;
-        std::vector<std::string> all = mistakes_of(document, record_keys(describe));
+        std::vector<std::string> all = mistakes_of(document, format_of(describe));
         const auto same = std::ranges::find(all, place_in(first.what()), [](const auto& one) { return place_in(one); });
         if (same == all.end()) {
             all.insert(all.begin(), first.what());

@@ -11,9 +11,9 @@
 namespace hamilcar::io {
 
 // Throws what `read` throws; where that is about what stands in the file, with all mistakes of the file: unknown keys first, then
-// by their places. `describe` reads the same without a file.
-void with_every_mistake(const Node& document, const std::function<void(const TableReader&)>& describe,
-                        const std::function<void()>& read);
+// by their places. `describe` reads the same without a file; what it says is kept for the next mistake of such a file.
+using DescribeFormat = void (*)(const TableReader&);
+void with_every_mistake(const Node& document, DescribeFormat describe, const std::function<void()>& read);
 
 // One message for each.
 std::vector<std::string> mistakes_of(const Node& document, const TableRecord& format);

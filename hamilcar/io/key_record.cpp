@@ -212,7 +212,10 @@ void TableRecord::note(std::string_view key, std::string_view meaning, std::stri
 }
 
 void TableRecord::note_overlay(std::string_view key, std::span<const std::string_view> fixed) {
-    TableRecord above = *this;
+    if (const KeyRecord* known = find(key); known && !known->below.empty())
+        return;  // by another table of the same list
+    TableRecord above;
+    join(above, *this);
     loosen(above);
     std::erase_if(above.keys, [&](const KeyRecord& one) {
         return one.key == key || std::ranges::find(fixed, one.key) != fixed.end();
