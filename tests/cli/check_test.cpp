@@ -26,6 +26,12 @@ TEST_F(Program, ChecksAVehicleAndCountsTenDegreesOfFreedom) {
     EXPECT_EQ(facts["cut_equations"], 6);
 }
 
+TEST_F(Program, ShowsTheRightWheelWhereItDiffers) {
+    const Outcome both = run("kinematics " + shipped + " --vehicle-set axle.front.right.alignment.camber_deg=-2");
+    EXPECT_THAT(both.out, HasSubstr("-0.690 deg, right -2.000 deg"));
+    EXPECT_THAT(run("kinematics " + shipped).out, testing::Not(HasSubstr("right")));
+}
+
 TEST_F(Program, ChecksAVehicleAsAColleagueWould) {
     const Outcome r = run("check --strict " + shipped);
     ASSERT_EQ(r.code, 0) << r.err;
