@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <unordered_map>
 
 #include "hamilcar/base/text.hpp"
 #include "hamilcar/io/key_record.hpp"
@@ -28,13 +29,14 @@ std::string at_index(const std::string& path, std::size_t index) {
 
 // What was asked for in one table counts as asked in another one, and in those below.
 void take_known(Node& from, Node& to) {
-    if (auto* list = std::get_if<ListValue>(&to.value)) {
-        auto* items = std::get_if<ListValue>(&from.value);
-        for (std::size_t i = 0; items && i < list->items.size(); ++i) {
-            for (std::size_t k = 0; k < items->items.size(); ++k) {
-                if (item_path("", list->items[i], i) == item_path("", items->items[k], k))
-                    take_known(items->items[k], list->items[i]);
-            }
+    auto *list = std::get_if<ListValue>(&to.value), *items = std::get_if<ListValue>(&from.value);
+    if (list && items) {
+        std::unordered_map<std::string, Node*> by_path;  // a list of a hostile file is long
+        for (std::size_t i = 0; i < items->items.size(); ++i)
+            by_path[item_path("", items->items[i], i)] = &items->items[i];
+        for (std::size_t i = 0; i < list->items.size(); ++i) {
+            const auto same = by_path.find(item_path("", list->items[i], i));
+            if (same != by_path.end()) take_known(*same->second, list->items[i]);
         }
         return;
     }

@@ -90,6 +90,13 @@ TEST(RightSide, HasNothingOfItsOwnThatIsOneForBoth) {
     expect_refusal("bmw_323i", "front", "right = 3", {"'axle[front].right' = 3", "a table"});
 }
 
+// In a moment, not in a time that grows as the square of its length.
+TEST(RightSide, RefusesALongListThatMeansNothing) {
+    std::string zeros = "0";
+    for (int i = 0; i < 300'000; ++i) zeros += ",0";
+    expect_refusal("bmw_323i", "front", "right.nonsense = [" + zeros + "]", {"'axle[front].right.nonsense'"});
+}
+
 TEST(AlignmentKeys, AreThoseThatTheSuspensionCanSet) {
     expect_refusal("bmw_323i", "rear", "alignment.camber_deg = -1.0",
                    {"'axle[rear].alignment'", "no camber_deg: this suspension has nothing that sets it"});
