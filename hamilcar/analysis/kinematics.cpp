@@ -25,6 +25,13 @@ Vec3<double> contact_of(const WheelMotion& wheel, double radius) {
     return wheel.center - down * radius;
 }
 
+// How fast a motion changes what has that gradient by the coordinates from `first` on.
+double rate_along(const std::vector<double>& gradient, const Eigen::VectorXd& dq, Eigen::Index first) {
+    double rate = 0;
+    for (std::size_t j = 0; j < gradient.size(); ++j) rate += gradient[j] * dq[first + static_cast<Eigen::Index>(j)];
+    return rate;
+}
+
 double spring_lift(const WheelMotion& wheel, const Eigen::VectorXd& dq, Eigen::Index first) {
     double power = 0;
     for (const LineMotion& spring : wheel.springs) {
@@ -40,21 +47,12 @@ double ratio(const std::vector<LineMotion>& lines, const std::string& wheel, con
              Eigen::Index first) {
     const auto own = std::ranges::find(lines, wheel, &LineMotion::name);
     if (own == lines.end()) return none;
-    double rate = 0;
-    for (std::size_t j = 0; j < own->gradient.size(); ++j) {
-        rate += own->gradient[j] * dq[first + static_cast<Eigen::Index>(j)];
-    }
-    return -rate;
+    return -rate_along(own->gradient, dq, first);
 }
 
 // How the arm of an anti-roll bar turns.
 double arm_rate(const WheelMotion& wheel, const Eigen::VectorXd& dq, Eigen::Index first) {
-    if (wheel.bar_arm.empty()) return none;
-    double rate = 0;
-    for (std::size_t j = 0; j < wheel.bar_arm.size(); ++j) {
-        rate += wheel.bar_arm[j] * dq[first + static_cast<Eigen::Index>(j)];
-    }
-    return rate;
+    return wheel.bar_arm.empty() ? none : rate_along(wheel.bar_arm, dq, first);
 }
 
 struct Side {

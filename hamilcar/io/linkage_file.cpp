@@ -38,6 +38,15 @@ void expect_free(const TableReader& table, std::string_view key, std::string_vie
                  "a name that no other table of an axle has");
 }
 
+// Names are keys of tables and beginnings of channels.
+void expect_own_name(const TableReader& table, std::string_view key, std::string_view name,
+                     const LinkageDescription& before) {
+    const auto same = [&](const std::string& other) { return link_key(other) == link_key(name); };
+    table.expect(link_key(name) != chassis && std::ranges::none_of(before.cuts, same, &CutJointDescription::name) &&
+                     std::ranges::none_of(before.joints, same, &TreeJointDescription::part),
+                 key, "a name that no other part or cut has, however it is spelled");
+}
+
 TreeJointDescription read_joint(const TableReader& table, const LinkageDescription& before) {
     constexpr std::string_view kinds[] = {"revolute", "prismatic", "universal", "spherical", "free"};
     TreeJointDescription joint;
@@ -49,9 +58,8 @@ TreeJointDescription read_joint(const TableReader& table, const LinkageDescripti
     });
     if (table.is_recording()) joint.kind = TreeJoint::revolute;  // along which a spring may act
     joint.part = table.text("part");
-    const auto names = part_names(before, true);
     expect_free(table, "part", joint.part);
-    table.expect(std::ranges::find(names, joint.part) == names.end(), "part", "a name that no other part has");
+    expect_own_name(table, "part", joint.part, before);
     joint.parent = part_or_chassis(table, "parent", before);
     joint.point = table.array<3>("point_m");
     return joint;
@@ -87,15 +95,6 @@ CutJointDescription read_cut(const TableReader& table, const LinkageDescription&
     return cut;
 }
 
-// Names are keys of tables and beginnings of channels.
-void expect_own_name(const TableReader& cut, const std::string& name, const LinkageDescription& before) {
-    const std::string key = link_key(name);
-    const auto same = [&](const std::string& other) { return link_key(other) == key; };
-    cut.expect(std::ranges::none_of(before.cuts, same, &CutJointDescription::name) &&
-                   std::ranges::none_of(before.joints, same, &TreeJointDescription::part),
-               "name", "a name that no part and no other cut has, however it is spelled");
-}
-
 // One cut sets an angle, on each wheel.
 void check_adjusters(const TableReader& axle, const Composition& composition) {
     for (const WheelAngle angle : {WheelAngle::toe, WheelAngle::camber}) {
@@ -126,7 +125,7 @@ Composition read_linkage(const TableReader& axle, const WheelDescription& wheel,
     if (axle.has("cut")) {
         for (const TableReader& cut : axle.tables("cut")) {
             const CutJointDescription one = read_cut(cut, out.linkage, on_trailer, out.adjusters);
-            expect_own_name(cut, one.name, out.linkage);
+            expect_own_name(cut, "name", one.name, out.linkage);
             out.linkage.cuts.push_back(one);
         }
     }

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "hamilcar/base/assert.hpp"
+#include "hamilcar/math/convert.hpp"
 
 namespace hamilcar {
 
@@ -19,16 +20,6 @@ std::string key_in(const Composition& composition, std::string_view name) {
     return link_key(name);
 }
 
-Point between(const Point& a, const Point& b) {
-    return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-}
-double dot(const Point& a, const Point& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Point along(const Point& from, const Point& direction, double length) {
-    return {from[0] + length * direction[0], from[1] + length * direction[1], from[2] + length * direction[2]};
-}
-
 bool is_link(const CutJointDescription& cut) {
     return (cut.kind == CutJoint::distance || cut.kind == CutJoint::revolute_spherical) && cut.drive == Point{};
 }
@@ -36,10 +27,11 @@ bool is_link(const CutJointDescription& cut) {
 // The link's outer end, which is not where it is held if the link has a length of its own.
 Point outer_end(const CutJointDescription& cut) {
     if (!cut.length) return cut.tip;
-    Point inner = cut.foot;
-    if (cut.kind == CutJoint::revolute_spherical)
-        inner = along(inner, cut.axis, dot(cut.axis, between(cut.foot, cut.tip)));
-    return along(inner, direction_between(inner, cut.tip), *cut.length);
+    Vec3<double> inner = vec3(cut.foot);
+    const Vec3<double> tip = vec3(cut.tip), axis = vec3(cut.axis);
+    if (cut.kind == CutJoint::revolute_spherical) inner += axis * axis.dot(tip - inner);
+    const Vec3<double> outer = inner + (tip - inner).normalized() * *cut.length;
+    return {outer[0], outer[1], outer[2]};
 }
 
 // The tree joint that carries the link, and its outer end as a cut joint in the link's place.

@@ -186,12 +186,18 @@ TEST(OwnLinkage, PartsAndEnds) {
 TEST(OwnLinkage, HasNamesThatNothingElseHas) {
     expect_own(
         {"CutAsTable", "name = \"toe link\"", "name = \"Brake\"", "\"Brake\"", {"no other table of an axle has"}});
-    expect_own({"CutAsPart", "name = \"toe link\"", "name = \"Arm\"", "\"Arm\"", {"no part and no other cut has"}});
+    expect_own({"CutAsPart", "name = \"toe link\"", "name = \"Arm\"", "\"Arm\"", {"no other part or cut has"}});
+    expect_own({"PartAsChassis", "part = \"arm\"", "part = \"chassis\"", "\"chassis\"", {"no other part or cut has"}});
+    expect_own({"PartAsPart",
+                "part = \"carrier\"\nparent",
+                "part = \"ARM\"\nparent",
+                "\"ARM\"",
+                {"a name that no other part or cut has"}});
     expect_own({"CutAsCut",
                 "name = \"toe link\"",
                 "name = \"upper_arm\"",
                 "\"upper_arm\"",
-                {"a name that no part and no other cut has, however it is spelled"}});
+                {"a name that no other part or cut has, however it is spelled"}});
 }
 
 TEST(OwnLinkage, SetsAnAngleByOneCutForEachWheel) {
