@@ -23,7 +23,7 @@ struct TreeJointDescription {
     Point axis{};            // of a revolute or prismatic joint, the first of a universal one; unit
     Point second_axis{};     // of a universal joint, on the cross; unit
     std::optional<Point>
-        other_bush;  // of a revolute joint with two of them, the point is the first; for pictures alone
+        other_bush;  // of a revolute joint with two of them, the point is the first; for pictures and bush forces alone
 };
 
 // How many coordinates a tree joint has.
@@ -56,11 +56,12 @@ struct CutJointDescription {
     std::string name;                // "tie rod"
     std::size_t part = 1, base = 0;  // what the tip and what the foot sit on
     Point tip{}, foot{};
-    Point axis{};                     // on the base; unit
-    Point drive{};                    // the rack moves the foot by this times its displacement [1]
-    std::optional<double> length;     // of a distance or an arm [m]; from the points if absent
-    std::optional<double> offset;     // of an arm's ball from the foot, along the axis [m]; from the points if absent
-    std::optional<Point> other_bush;  // of an arm with two of them, the foot is the first; for pictures alone
+    Point axis{};                  // on the base; unit
+    Point drive{};                 // the rack moves the foot by this times its displacement [1]
+    std::optional<double> length;  // of a distance or an arm [m]; from the points if absent
+    std::optional<double> offset;  // of an arm's ball from the foot, along the axis [m]; from the points if absent
+    std::optional<Point>
+        other_bush;  // of an arm with two of them, the foot is the first; for pictures and bush forces alone
 };
 
 // Coordinates are those of the tree joints one after the other: angles and lengths, zero at design. A free joint has three
