@@ -10,7 +10,6 @@
 #include "files.hpp"
 #include "hamilcar/base/text.hpp"
 #include "hamilcar/io/json_text.hpp"
-#include "hamilcar/io/spelling.hpp"
 #include "hamilcar/maneuver/outcome_file.hpp"
 #include "hamilcar/run/channels.hpp"
 #include "hamilcar/run/replay_rows.hpp"
@@ -27,25 +26,6 @@ std::vector<std::string> maneuver_names() {
 }
 
 namespace {
-
-const Maneuver& require_maneuver(const std::string& name) {
-    if (const Maneuver* maneuver = find_maneuver(name)) return *maneuver;
-    const std::vector<std::string> all = maneuver_names();
-    const std::vector<std::string_view> names(all.begin(), all.end());
-    const std::string hint = io::did_you_mean(name, names);
-    throw io::Error(io::ExitCode::bad_file,
-                    fmt::format("there is no maneuver '{}': expected {}{}", name, io::quoted_list(names),
-                                hint.empty() ? "" : "; " + hint),
-                    "maneuver.name");
-}
-
-void check_support(const Maneuver& maneuver, const VehicleDescription& vehicle) {
-    const std::string reason = maneuver.unsupported_reason(vehicle);
-    if (reason.empty()) return;
-    throw io::Error(io::ExitCode::bad_file,
-                    fmt::format("{} cannot do the maneuver '{}': {}", vehicle.name, maneuver.name, reason),
-                    "maneuver.name");
-}
 
 // Runs `f`; an error at a key of the scenario gets the key's place in front.
 template <class F>
@@ -156,7 +136,7 @@ void print_maneuvers(const VehicleDescription& vehicle) {
 
 io::ExitCode drive_maneuver(const Maneuver& maneuver, const VehicleDescription& vehicle, const Settings& settings,
                             const ManeuverOptions& asked, const RunOptions& options, ManeuverRun run) {
-    check_support(maneuver, vehicle);
+    require_support(maneuver, vehicle);
     as_typed([&] { select_channels(all_channels(vehicle), options.channels); });  // known before an hour of driving
     const std::string folder = options.output.empty() ? "out/" + maneuver.name : options.output;
     const io::FolderLock lock = take_folder(folder);
@@ -232,7 +212,7 @@ io::ExitCode run_maneuver(const ScenarioDescription& scenario, const RunOptions&
 void check_maneuver(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
     at_place(scenario, [&] {
         const Maneuver& maneuver = require_maneuver(scenario.maneuver.name);
-        check_support(maneuver, vehicle);
+        require_support(maneuver, vehicle);
         complete_settings(maneuver, vehicle, settings_in_numbers(maneuver, vehicle, scenario.maneuver.settings));
     });
 }

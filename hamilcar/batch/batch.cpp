@@ -94,6 +94,18 @@ std::vector<int> pivots(const Vehicle<double>& vehicle) {
     return out;
 }
 
+// Whether a car has another number than the one that the program was made with, in a place that is no parameter of it.
+bool differs_in_constant(const RhsProgram& program, const Model<double>& a, const Model<double>& b) {
+    const ModelNumbers one = numbers_of(a), other = numbers_of(b);
+    if (one.shape != other.shape || one.numbers.size() != other.numbers.size()) return true;
+    std::vector<bool> may_differ(one.numbers.size());
+    for (const int parameter : program.parameters) may_differ[static_cast<std::size_t>(parameter)] = true;
+    for (std::size_t i = 0; i < one.numbers.size(); ++i) {
+        if (!may_differ[i] && one.numbers[i] != other.numbers[i]) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 std::string topology_difference(const Simulation& a, const Simulation& b) {
@@ -127,17 +139,23 @@ Batch::Batch(std::vector<const Simulation*> cars, const BatchOptions& options)
         }
         if (cars_[i]->steps_taken() != 0)
             throw std::invalid_argument(fmt::format("car {} has already been advanced", i + 1));
-        drivers_.push_back({cars_[i]->schedule(), cars_[i]->driver(), cars_[i]->steps_per_decision(), std::nullopt});
+        drivers_.push_back(driver_of(*cars_[i]));
     }
     step_ = solver.step;
     const ChunkSettings settings{.method = *method,
                                  .step = solver.step,
                                  .tilt_cosine = options.tilt_limit > 0 ? std::cos(options.tilt_limit) : -2.0};
-    assign_slots(settings, options.precision);
+    assign_slots(settings, options.precision, options.variants);
+}
+
+// As at its start.
+Batch::CarDriver Batch::driver_of(const Simulation& car) {
+    return {car.schedule(), car.driver(), car.steps_per_decision(), std::nullopt};
 }
 
 // Cars whose hardpoints differ so much that their linkages need another elimination order get a separate program.
-void Batch::assign_slots(const ChunkSettings& settings, Precision precision) {
+void Batch::assign_slots(const ChunkSettings& settings, Precision precision,
+                         const std::vector<const Simulation*>& variants) {
     std::map<std::vector<int>, std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < cars_.size(); ++i) groups[pivots(cars_[i]->model().vehicle)].push_back(i);
     const auto lanes = static_cast<std::size_t>(engine_->lanes(precision));
@@ -145,6 +163,9 @@ void Batch::assign_slots(const ChunkSettings& settings, Precision precision) {
     for (const auto& [order, group] : groups) {
         std::vector<const Model<double>*> models;
         for (const std::size_t car : group) models.push_back(&cars_[car]->model());
+        for (const Simulation* variant : variants) {
+            if (pivots(variant->model().vehicle) == order) models.push_back(&variant->model());
+        }
         const auto program = rhs_program(models, *engine_, precision);
         for (std::size_t first = 0; first < group.size(); first += lanes) {
             std::vector<LaneCar> row;
@@ -156,6 +177,7 @@ void Batch::assign_slots(const ChunkSettings& settings, Precision precision) {
                 own.push_back(car);
             }
             chunks_.push_back(make_chunk(program, row, settings));
+            programs_.push_back(program);
         }
     }
 }
@@ -165,31 +187,75 @@ void Batch::advance(long steps) {
     step_count_ += steps;
 }
 
-// From one decision to the next, at the same steps as in a Simulation.
+// From one decision to the next, at the same steps of a car's own as in a Simulation.
 void Batch::advance_chunk(std::size_t chunk, long steps) {
-    long now = step_count_;
-    const long end = now + steps;
-    while (now < end) {
-        long next = end;
+    Chunk& cars = *chunks_[chunk];
+    for (long left = steps; left > 0;) {
+        long next = left;
         for (const std::size_t car : cars_of_[chunk]) {
             const CarDriver& one = drivers_[car];
             if (!one.driver || one.stop) continue;
-            if (now > 0 && now % one.steps_per_decision == 0) decide(car, now);
-            next = std::min(next, (now / one.steps_per_decision + 1) * one.steps_per_decision);
+            const long now = cars.steps(lane_of(car));
+            if (now > 0 && now % one.steps_per_decision == 0) decide(car);
+            next = std::min(next, one.steps_per_decision - now % one.steps_per_decision);
         }
-        chunks_[chunk]->advance(next - now);
-        now = next;
+        cars.advance(next);
+        left -= next;
     }
 }
 
-void Batch::decide(std::size_t car, long step) {
-    if (chunk_of(car).end(lane_of(car)).reason != EndReason::none) return;
+void Batch::decide(std::size_t car) {
+    const Chunk& chunk = chunk_of(car);
+    if (chunk.end(lane_of(car)).reason != EndReason::none) return;
     CarDriver& one = drivers_[car];
-    const double time = static_cast<double>(step) * step_;
-    const State<double> state = chunk_of(car).state(lane_of(car));
+    const double time = chunk.time(lane_of(car));
+    const State<double> state = chunk.state(lane_of(car));
     one.driver->act(observe(cars_[car]->model(), state, one.schedule(time)), one.schedule);
     if (one.driver->end_reason()) one.stop = Stop{time, state};
     chunk_of(car).set_schedule(lane_of(car), one.schedule);
+}
+
+void Batch::restart(std::size_t car) {
+    const Simulation& from = *cars_[car];
+    drivers_[car] = driver_of(from);
+    chunk_of(car).set_car(lane_of(car), {&from.model(), &from.state(), &drivers_[car].schedule});
+}
+
+void Batch::replace(std::size_t car, const Simulation& by) {
+    if (by.steps_taken() != 0) throw std::invalid_argument("the car has already been advanced");
+    std::string difference = topology_difference(*cars_[car], by);
+    if (difference.empty() && pivots(cars_[car]->model().vehicle) != pivots(by.model().vehicle)) {
+        difference = "the order in which a linkage's equations are solved";
+    }
+    if (difference.empty() && differs_in_constant(*programs_[slots_[car].chunk], cars_[car]->model(), by.model())) {
+        difference = "a number that all cars of the batch share: it was made without a variant for it";
+    }
+    if (!difference.empty()) {
+        throw std::invalid_argument(
+            fmt::format("car {} cannot be replaced by this one: they differ in {}", car + 1, difference));
+    }
+    cars_[car] = &by;
+    restart(car);
+}
+
+void Batch::save(std::size_t car, Snapshot& to) const {
+    LanePast past;
+    chunk_of(car).save_past(lane_of(car), past);
+    to.step_count = past.steps;
+    to.state = state(car);
+    to.memory = past.rates;
+    drivers_[car].schedule.save(to.inputs);
+    if (drivers_[car].driver) to.driver = drivers_[car].driver->memory();
+}
+
+void Batch::restore(std::size_t car, const Snapshot& from) {
+    drivers_[car] = driver_of(*cars_[car]);
+    CarDriver& own = drivers_[car];
+    own.schedule.restore(from.inputs);
+    if (own.driver) own.driver->restore(from.driver);
+    LanePast past;
+    past.steps = from.step_count, past.rates = from.memory;
+    chunk_of(car).set_car(lane_of(car), {&cars_[car]->model(), &from.state, &own.schedule}, &past);
 }
 
 }  // namespace hamilcar

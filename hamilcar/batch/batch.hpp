@@ -2,9 +2,10 @@
 // parameters, driver, road and start; they share the topology, the method and the step.
 //
 // A car has the same bits here as in a Simulation of its own, whatever its lane, its neighbors, the number of threads and the
-// engine; in single precision the same as in any other batch.
+// engine, and whenever it begins; in single precision the same as in any other batch.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ struct BatchOptions {
     Precision precision = Precision::double_precision;
     std::string engine;     // its name; empty: the default engine
     double tilt_limit = 0;  // a car ends when its z axis leans further [rad]; zero: never
+    // Cars that may take the place of others later (`replace`): numbers in which they differ from the first car may be changed. They need not
+    // outlive the batch's making.
+    std::vector<const Simulation*> variants = {};
 };
 
 // What differs between two cars that cannot share a chunk, or nothing: "tire model of wheel 2", "step", ...
@@ -39,7 +43,12 @@ public:
 
     // Advances all cars by that many steps; those that have ended stay where they are.
     void advance(long steps);
-    double time() const { return chunks_.front()->time(); }
+    double time() const { return static_cast<double>(step_count_) * step_; }  // since the batch was made [s]
+    // Of a car since its own start, the end of one that has ended [s].
+    double time(std::size_t car) const {
+        const CarEnd ended = end(car);
+        return ended.reason == EndReason::none ? chunk_of(car).time(lane_of(car)) : ended.time;
+    }
     // The state in doubles; the last good one of a car that has ended.
     State<double> state(std::size_t car) const {
         return drivers_[car].stop ? drivers_[car].stop->state : chunk_of(car).state(lane_of(car));
@@ -54,6 +63,31 @@ public:
         chunk_of(car).set_schedule(lane_of(car), schedule);
     }
     void set_schedule(std::size_t, Schedule&&) = delete;
+    // Calls change(schedule, driver or null) with what a car is driven by, and goes on with that. No other call at the same time but
+    // of the same for a car of another chunk.
+    template <class Change>
+    void change_inputs(std::size_t car, Change&& change) {
+        CarDriver& own = drivers_[car];
+        change(own.schedule, own.driver ? &*own.driver : nullptr);
+        chunk_of(car).set_schedule(lane_of(car), own.schedule);
+    }
+    // Calls f(car) for each, on the batch's threads; those of one chunk one after the other.
+    void for_each_car(const std::function<void(std::size_t)>& f) {
+        pool_.run(static_cast<int>(chunks_.size()), [&](int chunk) {
+            for (const std::size_t car : cars_of_[static_cast<std::size_t>(chunk)]) f(car);
+        });
+    }
+    const Schedule& schedule(std::size_t car) const { return drivers_[car].schedule; }
+    const Simulation& simulation(std::size_t car) const { return *cars_[car]; }  // that the car started as
+
+    // A car is again at its start, at time 0 of its own, whatever it has done and whether it has ended.
+    void restart(std::size_t car);
+    // Another car in the place of that one, at its start; it must outlive the batch. Throws std::invalid_argument for one that
+    // differs in more than the batch was made for.
+    void replace(std::size_t car, const Simulation& by);
+    // A place in a car's run to come back to, in this batch or in a Simulation of the same car, and from there to here. The car must run.
+    void save(std::size_t car, Snapshot& to) const;
+    void restore(std::size_t car, const Snapshot& from);
 
 private:
     // A car's schedule and closed-loop driver, copied from its Simulation, and where the driver ended the run.
@@ -68,7 +102,8 @@ private:
         std::optional<Stop> stop;
     };
     void advance_chunk(std::size_t chunk, long steps);
-    void decide(std::size_t car, long step);
+    void decide(std::size_t car);
+    static CarDriver driver_of(const Simulation& car);
 
     // A car's chunk and its lane there.
     struct Slot {
@@ -77,13 +112,15 @@ private:
     };
     Chunk& chunk_of(std::size_t car) const { return *chunks_[slots_[car].chunk]; }
     int lane_of(std::size_t car) const { return slots_[car].lane; }
-    void assign_slots(const ChunkSettings& settings, Precision precision);
+    void assign_slots(const ChunkSettings& settings, Precision precision,
+                      const std::vector<const Simulation*>& variants);
 
     std::vector<const Simulation*> cars_;
     const Engine* engine_;
     std::vector<std::unique_ptr<Chunk>> chunks_;
     std::vector<std::vector<std::size_t>> cars_of_;  // of a chunk
     std::vector<Slot> slots_;
+    std::vector<std::shared_ptr<const RhsProgram>> programs_;  // of the chunks
     std::vector<CarDriver> drivers_;
     double step_ = 0;      // [s]
     long step_count_ = 0;  // done by all chunks

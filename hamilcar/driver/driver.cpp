@@ -52,7 +52,12 @@ void Driver::begin(const Schedule& schedule) {
 
 void Driver::act(const Observation& observation, Schedule& schedule) {
     const bool first = !memory_.begun || observation.time == memory_.first_time;
-    if (first) memory_ = {.begun = true, .first_time = observation.time};
+    if (first) {
+        memory_ = {.begun = true,
+                   .first_time = observation.time,
+                   .has_throttle = memory_.has_throttle,
+                   .throttle = memory_.throttle};
+    }
     if (follower_) {
         follower_->update(observation, memory_.path);
         const SignalValue<double> rack = schedule.signal(Control::rack).at(observation.time);
@@ -64,7 +69,8 @@ void Driver::act(const Observation& observation, Schedule& schedule) {
 }
 
 void Driver::update_pedals(const Observation& observation, Schedule& schedule, bool first) {
-    double throttle = scheduled_throttle_.at(observation.time + interval_).value;
+    double throttle =
+        memory_.has_throttle ? memory_.throttle : scheduled_throttle_.at(observation.time + interval_).value;
     if (speed_) {
         const RateLimiter limiter{schedule, observation.time, interval_, first};
         const bool interrupted = shifting_ && shifting_->interrupts(memory_.shifting);

@@ -26,6 +26,8 @@ class Schedule;
 struct DriverMemory {
     bool begun = false;
     double first_time = 0;  // of the first decision [s]
+    bool has_throttle = false;
+    double throttle = 0;  // that was asked for in place of the scenario's, if any [1]
     PathMemory path;
     SpeedMemory speed;
     ShiftMemory shifting;
@@ -44,6 +46,8 @@ public:
     double interval() const { return interval_; }  // [s]
     // Stores the scenario's throttle, for a driver that only shifts. Call once, before the first decision.
     void begin(const Schedule& schedule);
+    // Another throttle than the scenario's from the next decision on, for a driver that only shifts.
+    void ask_throttle(double throttle) { memory_.has_throttle = true, memory_.throttle = throttle; }
     // Decides for the next interval, without allocation. Called again at the first instant it starts over, so that a gear can
     // be chosen once a gear is engaged and the shaft speeds are known.
     void act(const Observation& observation, Schedule& schedule);

@@ -47,6 +47,10 @@ public:
     void follow(Control control, double time, const SignalValue<double>& now, double step) {
         signals_[static_cast<std::size_t>(control)].follow(time, now, step);
     }
+    // The same by a piece that begins then.
+    void follow(Control control, double time, const SignalPiece<double>& piece) {
+        signals_[static_cast<std::size_t>(control)].follow(time, piece);
+    }
 
     // What later inputs depend on besides the scenario's tables: the controls that a driver has overridden.
     struct Memory {

@@ -22,7 +22,7 @@ public:
     void evaluate(const Input<double>& input, const State<double>& state, State<double>& rate, Report& report) const {
         std::array<double, RhsInput::size> numbers;
         write(input, numbers);
-        const LaneSurfaces ground{&surface_, input.time};
+        const LaneSurfaces ground{&surface_, &input.time, 0};
         program::Frame frame{.functions = rhs_functions(Precision::double_precision), .context = &ground};
         frame.arrays[rhs_state] = const_cast<double*>(state.values.data());  // only read
         frame.arrays[rhs_input] = numbers.data();

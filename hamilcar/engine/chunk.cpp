@@ -1,5 +1,8 @@
 #include "hamilcar/engine/chunk.hpp"
 
+#include <algorithm>
+#include <optional>
+
 #include "hamilcar/block/integration.hpp"
 #include "hamilcar/engine/flush_denormals.hpp"
 #include "hamilcar/engine/lane_driver.hpp"
@@ -11,6 +14,9 @@ namespace {
 
 // A lane whose car has ended continues with a copy of a car that still runs: so it can neither stop its neighbors nor slow
 // them down (by NaNs or denormals). Its results are ignored.
+//
+// Cars begin when they like: each has its own time. A multi-step method needs a past that a new car does not have; while there
+// is one, all lanes do the method's step and that of its start, and each takes its own.
 template <class E>
 class LaneChunk final : public Chunk {
 public:
@@ -26,14 +32,11 @@ public:
           next_(size_),
           integrator_(settings.method, settings.step, static_cast<int>(size_), 0, Numbers(size_)),
           driver_(lanes_),
+          clocks_(static_cast<std::size_t>(lanes_)),
+          times_(static_cast<std::size_t>(lanes_)),
           lane_states_(cars.size()) {
         for (int i = 0; i < lanes_; ++i) {
-            const LaneCar& car = cars[static_cast<std::size_t>(i) < cars.size() ? static_cast<std::size_t>(i) : 0];
-            rhs_.set_car(i, *car.model);
-            driver_.set_schedule(i, *car.schedule);
-            for (std::size_t k = 0; k < static_cast<std::size_t>(program_->state_size); ++k) {
-                at(now_, k, i) = static_cast<E>(car.state->values[k]);
-            }
+            put(i, cars[static_cast<std::size_t>(i) < cars.size() ? static_cast<std::size_t>(i) : 0]);
         }
     }
 
@@ -44,7 +47,8 @@ public:
             ++step_count_;
         }
     }
-    double time() const override { return static_cast<double>(step_count_) * settings_.step; }
+    double time(int lane) const override { return static_cast<double>(steps(lane)) * settings_.step; }
+    long steps(int lane) const override { return step_count_ - clocks_[static_cast<std::size_t>(lane)].start; }
     CarEnd end(int lane) const override { return lane_states_[static_cast<std::size_t>(lane)].end; }
     State<double> state(int lane) const override {
         const LaneState& own = lane_states_[static_cast<std::size_t>(lane)];
@@ -54,6 +58,31 @@ public:
         if (lane_states_[static_cast<std::size_t>(lane)].running()) driver_.set_schedule(lane, schedule);
     }
 
+    void set_car(int lane, const LaneCar& car, const LanePast* past) override {
+        lane_states_[static_cast<std::size_t>(lane)] = {};
+        put(lane, car);
+        for (LaneState& state : lane_states_) state.parked = false;  // on a copy of what stood here, perhaps
+        park();
+        if (!past) return;
+        const int order = settings_.method.order;
+        clocks_[static_cast<std::size_t>(lane)] = {step_count_ - past->steps, past->rates.remembered};
+        for (int back = 0; back < past->rates.remembered; ++back) {
+            const auto at = static_cast<std::size_t>((past->rates.newest + order - back) % order);
+            set_lane(integrator_.past(back), lane, past->rates.past[at]);
+        }
+    }
+    void save_past(int lane, LanePast& to) const override {
+        const int order = settings_.method.order;
+        to.steps = steps(lane);
+        to.rates.remembered = clocks_[static_cast<std::size_t>(lane)].remembered;
+        to.rates.newest = remembers() ? static_cast<int>(to.steps % order) : 0;  // as in an Integrator of its own
+        to.rates.substep = settings_.step, to.rates.converged = true;
+        for (int back = 0; back < to.rates.remembered; ++back) {
+            const auto at = static_cast<std::size_t>((to.rates.newest + order - back) % order);
+            to.rates.past[at] = state_of(integrator_.past(back), lane);
+        }
+    }
+
 private:
     using Numbers = LaneNumbers<E>;
     struct LaneState {
@@ -61,6 +90,10 @@ private:
         State<double> last;  // the last good state, of a car that has ended
         bool parked = false;
         bool running() const { return end.reason == EndReason::none; }
+    };
+    struct Clock {
+        long start = 0;      // the step at which the lane's car began
+        int remembered = 0;  // rates of its past that a multi-step method knows
     };
 
     template <class Any>
@@ -74,13 +107,57 @@ private:
         }
         return one;
     }
+    void set_lane(Numbers& numbers, int lane, const State<double>& from) const {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(program_->state_size); ++k) {
+            at(numbers, k, lane) = static_cast<E>(from.values[k]);
+        }
+    }
+    void put(int lane, const LaneCar& car) {
+        rhs_.set_car(lane, *car.model);
+        driver_.set_schedule(lane, *car.schedule);
+        set_lane(now_, lane, *car.state);
+        clocks_[static_cast<std::size_t>(lane)] = {step_count_, 0};
+    }
+
+    bool remembers() const {
+        return settings_.method.family == MethodFamily::adams_bashforth ||
+               settings_.method.family == MethodFamily::adams_bashforth_moulton;
+    }
+    // A step of the method makes one more rate of the past known before it uses them.
+    bool is_starting(const Clock& clock) const { return remembers() && clock.remembered + 1 < settings_.method.order; }
 
     void advance_once() {
-        const auto input_at = [this](double t) { return typename LaneRhs<E>::Input{driver_(t), t}; };
-        integrate(rhs_, integrator_, input_at, time(), now_, next_, first_, further_);
+        for (int i = 0; i < lanes_; ++i) times_[static_cast<std::size_t>(i)] = time(i);
+        const auto input_at = [this](double ahead) {
+            return typename LaneRhs<E>::Input{driver_(times_.data(), ahead), times_.data(), ahead};
+        };
+        const bool starting = std::ranges::any_of(clocks_, [&](const Clock& clock) { return is_starting(clock); });
+        if (remembers()) integrator_.assume_past();
+        integrate(rhs_, integrator_, input_at, 0, now_, next_, first_, further_);
+        if (starting) [[unlikely]]
+            start_cars(input_at);
+        if (remembers()) {
+            for (Clock& clock : clocks_) clock.remembered = std::min(clock.remembered + 1, settings_.method.order);
+        }
         std::swap(now_, next_);  // from here on `next_` is the previous state
         if (!all_good()) [[unlikely]]
             end_cars();
+    }
+
+    // The step of those lanes that have no past, by the method's start.
+    template <class InputAt>
+    void start_cars(const InputAt& input_at) {
+        if (!starter_)
+            starter_.emplace(Starter{{settings_.method, settings_.step, static_cast<int>(size_), 0, Numbers(size_)},
+                                     Numbers(size_),
+                                     rhs_.report()});
+        starter_->integrator.restart();
+        integrate(rhs_, starter_->integrator, input_at, 0, now_, starter_->next, starter_->first, further_);
+        for (int i = 0; i < lanes_; ++i) {
+            if (!is_starting(clocks_[static_cast<std::size_t>(i)])) continue;
+            copy_lane(starter_->next, next_, lanes_, i);
+            copy_lane(starter_->first.numbers, first_.numbers, lanes_, i);
+        }
     }
 
     bool all_good() const {
@@ -123,7 +200,9 @@ private:
             LaneState& own = lane_states_[i];
             const EndReason reason = reason_to_end(static_cast<int>(i));
             if (reason == EndReason::none) continue;
-            if (own.running()) own.end = {reason, time()}, own.last = state_of(next_, static_cast<int>(i));
+            if (own.running())
+                own.end = {reason, static_cast<double>(step_count_ - clocks_[i].start) * settings_.step},
+                own.last = state_of(next_, static_cast<int>(i));
             own.parked = false;
         }
         park();
@@ -146,6 +225,7 @@ private:
             if (!vacant && (lane_states_[own].running() || lane_states_[own].parked)) continue;
             rhs_.copy_car(from, i);
             driver_.copy_schedule(from, i);
+            clocks_[own] = clocks_[static_cast<std::size_t>(from)];
             copy_lane(now_, lanes_, from, i);
             integrator_.change_past([&](Numbers& past) { copy_lane(past, lanes_, from, i); });
             if (!vacant) lane_states_[own].parked = true;
@@ -161,7 +241,15 @@ private:
     Numbers now_, next_;  // states: the present one, and the previous or next one
     Integrator<Numbers> integrator_;
     LaneDriver<E> driver_;
+    std::vector<Clock> clocks_;           // of the lanes
+    std::vector<double> times_;           // of the lanes at the present step [s]
     std::vector<LaneState> lane_states_;  // of the cars
+    struct Starter {
+        Integrator<Numbers> integrator;
+        Numbers next;
+        typename LaneRhs<E>::Report first;
+    };
+    std::optional<Starter> starter_;  // of multi-step methods
     long step_count_ = 0;
 };
 

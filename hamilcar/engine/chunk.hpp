@@ -5,7 +5,7 @@
 
 #include "hamilcar/driver/schedule.hpp"
 #include "hamilcar/engine/rhs_program.hpp"
-#include "hamilcar/integrator/methods.hpp"
+#include "hamilcar/integrator/integrator.hpp"
 
 namespace hamilcar {
 
@@ -17,11 +17,18 @@ struct CarEnd {
     double time = 0;  // of the last good state [s]
 };
 
-// A car at its start. The state is copied when a chunk is made; model and schedule must outlive the chunk.
+// A car at its start, or where it stood once. The state is copied when a chunk is made; model and schedule must outlive the chunk.
 struct LaneCar {
     const Model<double>* model;
     const State<double>* state;
     const Schedule* schedule;
+};
+
+// What else a car's further steps depend on: how many it has done, and its latest rates as in an Integrator.
+struct LanePast {
+    long steps = 0;
+    Integrator<State<double>>::Memory rates;
+    LanePast() {}
 };
 
 // The same for every car of a batch.
@@ -36,10 +43,16 @@ public:
     virtual ~Chunk() = default;
     // Cars that have ended keep their last good state.
     virtual void advance(long steps) = 0;
-    virtual double time() const = 0;
+    virtual double time(int lane) const = 0;  // of a car, since its own start [s]
+    virtual long steps(int lane) const = 0;   // the same in steps; those of a car that has ended go on
     virtual State<double> state(int lane) const = 0;
     virtual CarEnd end(int lane) const = 0;
     virtual void set_schedule(int lane, const Schedule& schedule) = 0;
+    // Puts a car into a lane, at its start or where its past says. The numbers of its model that are no parameters of the program
+    // are those that the program was made with.
+    virtual void set_car(int lane, const LaneCar& car, const LanePast* past = nullptr) = 0;
+    // Of a car that runs.
+    virtual void save_past(int lane, LanePast& to) const = 0;
 };
 
 // At least one car, at most as many as the program has lanes.

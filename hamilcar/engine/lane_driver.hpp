@@ -1,4 +1,5 @@
-// The inputs of all lanes: the current pieces of every lane's schedule, fetched again only when one of them ends.
+// The inputs of all lanes, each at its own time: the current pieces of every lane's schedule, fetched again only when one of
+// them ends.
 #pragma once
 
 #include <algorithm>
@@ -17,20 +18,26 @@ public:
     explicit LaneDriver(int lanes)
         : lanes_(static_cast<std::size_t>(lanes)),
           schedules_(lanes_),
+          valid_(lanes_),
           pieces_(control_count * lanes_),
           inputs_(RhsInput::size * lanes_) {}
 
     void set_schedule(int lane, const Schedule& schedule) {
         schedules_[static_cast<std::size_t>(lane)] = &schedule;
-        begin_ = 1, end_ = 0;  // no piece is valid
+        valid_[static_cast<std::size_t>(lane)] = {1, 0};
     }
     void copy_schedule(int from, int to) { set_schedule(to, *schedules_[static_cast<std::size_t>(from)]); }
 
-    // The RhsInput of all lanes at one time [s].
-    const LaneNumbers<E>& operator()(double time) {
-        if (!(begin_ <= time && time < end_)) fetch(time);
+    // The RhsInput of all lanes, so far ahead of the times of each [s].
+    const LaneNumbers<E>& operator()(const double* times, double ahead) {
+        bool all_valid = true;
+        for (std::size_t i = 0; i < lanes_; ++i) {
+            const double time = times[i] + ahead;
+            all_valid &= valid_[i].begin <= time && time < valid_[i].end;
+        }
+        if (!all_valid) fetch(times, ahead);
         for (std::size_t control = 0; control < control_count; ++control) {
-            if (!constant_[control]) evaluate(control, time);
+            if (!constant_[control]) evaluate(control, times, ahead);
         }
         return inputs_;
     }
@@ -42,6 +49,9 @@ private:
         explicit Parts(double time)
             : high(static_cast<E>(time)), low(static_cast<E>(time - static_cast<double>(high))) {}
     };
+    struct Interval {
+        double begin = 1, end = 0;  // of the lane's own time [s]
+    };
     struct Piece {
         SignalPiece<E> piece;
         E start_high, start_low;  // [s]
@@ -52,11 +62,11 @@ private:
         RhsInput::rack,   RhsInput::drive_torque, RhsInput::brake,  RhsInput::throttle,
         RhsInput::clutch, RhsInput::gear,         RhsInput::wind_x, RhsInput::wind_y};
 
-    void evaluate(std::size_t control, double time) {
-        const Parts t(time);
+    void evaluate(std::size_t control, const double* times, double ahead) {
         const Piece* piece = &pieces_[control * lanes_];
         E* to = inputs_.data() + static_cast<std::size_t>(first_input[control]) * lanes_;
         for (std::size_t i = 0; i < lanes_; ++i) {
+            const Parts t(times[i] + ahead);
             const SignalValue<E> value =
                 piece[i].piece.at((t.high - piece[i].start_high) + (t.low - piece[i].start_low));
             to[i] = value.value;
@@ -66,17 +76,19 @@ private:
         }
     }
 
-    void fetch(double time) {
-        begin_ = -std::numeric_limits<double>::infinity(), end_ = -begin_;
+    void fetch(const double* times, double ahead) {
+        constexpr double endless = std::numeric_limits<double>::infinity();
+        std::ranges::fill(valid_, Interval{-endless, endless});
         for (std::size_t control = 0; control < control_count; ++control) {
             constant_[control] = true;
-            for (std::size_t i = 0; i < lanes_; ++i) fetch(control, i, time);
-            evaluate(control, time);
+            for (std::size_t i = 0; i < lanes_; ++i) fetch(control, i, times[i] + ahead);
+            evaluate(control, times, ahead);
         }
     }
     void fetch(std::size_t control, std::size_t lane, double time) {
         const Signal::Span& span = schedules_[lane]->signal(static_cast<Control>(control)).piece_at(time);
-        begin_ = std::max(begin_, span.begin), end_ = std::min(end_, span.end);
+        valid_[lane].begin = std::max(valid_[lane].begin, span.begin);
+        valid_[lane].end = std::min(valid_[lane].end, span.end);
         constant_[control] = constant_[control] && span.piece.inverse_duration == 0;
         const Parts start(span.start());
         const auto number = [](double value) { return static_cast<E>(value); };
@@ -88,9 +100,9 @@ private:
 
     std::size_t lanes_;
     std::vector<const Schedule*> schedules_;
+    std::vector<Interval> valid_;                 // the pieces below
     std::vector<Piece> pieces_;                   // control by control
-    std::array<bool, control_count> constant_{};  // in all lanes, between these times
-    double begin_ = 1, end_ = 0;
+    std::array<bool, control_count> constant_{};  // in all lanes, while their pieces are valid
     LaneNumbers<E> inputs_;
 };
 

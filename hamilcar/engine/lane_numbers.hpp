@@ -39,4 +39,12 @@ void copy_lane(LaneNumbers<E>& numbers, int lanes, int from, int to) {
     }
 }
 
+// A lane of one array into the same lane of another.
+template <class E>
+void copy_lane(const LaneNumbers<E>& from, LaneNumbers<E>& to, int lanes, int lane) {
+    for (std::size_t i = static_cast<std::size_t>(lane); i < to.values.size(); i += static_cast<std::size_t>(lanes)) {
+        to.values[i] = from.values[i];
+    }
+}
+
 }  // namespace hamilcar

@@ -21,10 +21,11 @@ public:
                     numbers.values[RhsReport::mobility * lanes + lane]};
         }
     };
-    // Inputs of all lanes, at a time [s].
+    // Inputs of all lanes, at a time `ahead` of that of each [s].
     struct Input {
         const Numbers& numbers;
-        double time;
+        const double* times;
+        double ahead;
     };
 
     explicit LaneRhs(const RhsProgram& program)
@@ -51,7 +52,7 @@ public:
     }
 
     void evaluate(const Input& input, const Numbers& state, Numbers& rate, Report& report) const {
-        const LaneSurfaces ground{surfaces_.data(), input.time};
+        const LaneSurfaces ground{surfaces_.data(), input.times, input.ahead};
         program::Frame frame{.functions = rhs_functions(program_->executable->precision()), .context = &ground};
         const auto read = [](const Numbers& numbers) { return const_cast<E*>(numbers.data()); };
         frame.arrays[rhs_state] = read(state);

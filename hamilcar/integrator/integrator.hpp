@@ -39,6 +39,11 @@ public:
     double step() const { return step_; }
     // Forgets the past, as after a jump in the state.
     void restart() { memory_.remembered = 0; }
+    // As if the past were known: for who puts it in, or starts single numbers of the state by themselves.
+    void assume_past() { memory_.remembered = method_.order; }
+    // Rates, the latest first.
+    State& past(int back) { return memory_.past[static_cast<std::size_t>(place(memory_, back))]; }
+    const State& past(int back) const { return memory_.past[static_cast<std::size_t>(place(memory_, back))]; }
     // False once the adaptive method could not meet its tolerance with any step.
     bool converged() const { return memory_.converged; }
     // Everything that later steps depend on, to return to an earlier time. Only what the method uses is written and read.
@@ -82,9 +87,10 @@ public:
 
 private:
     void copy(const State& from, State& to) const { std::copy_n(from.values.begin(), size_, to.values.begin()); }
+    int place(const Memory& memory, int back) const { return (memory.newest + method_.order - back) % method_.order; }
     void copy_past(const Memory& from, Memory& to) const {
         for (int j = 0; j < std::min(from.remembered, method_.order); ++j) {
-            const std::size_t k = static_cast<std::size_t>((from.newest + method_.order - j) % method_.order);
+            const auto k = static_cast<std::size_t>(place(from, j));
             copy(from.past[k], to.past[k]);
         }
     }

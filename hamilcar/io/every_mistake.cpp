@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <mutex>
 #include <tuple>
 
-#include "hamilcar/io/key_record.hpp"
+#include "hamilcar/io/chosen_keys.hpp"
 #include "hamilcar/io/key_unit.hpp"
 #include "hamilcar/io/spelling.hpp"
 
@@ -28,8 +26,10 @@ struct Mistake {
 class Comparison {
 public:
     void compare(const Node& node, const std::string& path, const TableRecord& format) {
-        TableRecord table;
-        take(node, path, format, table);
+        const auto [table, unread, contradictions] = chosen_keys(node, format);
+        for (const auto& [entry, other] : contradictions) {
+            tell_value(*entry, full(path, entry->key), "either this or '" + other->key + "', not both");
+        }
         std::vector<const Node*> unknown;
         const KeyRecord* any = table.find(any_name);
         for (const Node& entry : entries(node)) {
@@ -37,7 +37,7 @@ public:
             if (!key) key = any;
             if (key) {
                 check(entry, full(path, entry.key), *key);
-            } else if (std::ranges::find(unread_, &entry) == unread_.end()) {
+            } else if (std::ranges::find(unread, &entry) == unread.end()) {
                 unknown.push_back(&entry);
             }
         }
@@ -107,54 +107,6 @@ private:
         return out;
     }
 
-    // Adds what the file's own choices ask for.
-    void take(const Node& node, const std::string& path, const TableRecord& format, TableRecord& to) {
-        merge(to, TableRecord{.keys = format.keys, .choices = {}});
-        for (const Choice& choice : format.choices) {
-            if (const auto branch = branch_of(node, path, choice)) {
-                take(node, path, choice.branches[*branch], to);
-                continue;
-            }
-            for (TableRecord branch : choice.branches) loosen(branch), merge(to, branch);
-        }
-    }
-    // Nothing where the file has neither.
-    std::optional<std::size_t> branch_of(const Node& node, const std::string& path, const Choice& choice) {
-        if (choice.about == Choice::About::group) return group_of(node, path, choice);
-        const Node* owner = choice.table.empty() ? &node : node.find(choice.table);
-        const Node* value = owner ? owner->find(choice.key) : nullptr;
-        if (choice.about == Choice::About::list)
-            return value && std::holds_alternative<ListValue>(value->value) ? 1 : 0;
-        if (!value) return choice.fallback;
-        if (choice.about == Choice::About::flag) {
-            const bool* flag = std::get_if<bool>(&value->value);
-            return flag ? std::optional<std::size_t>(*flag ? 1 : 0) : std::nullopt;
-        }
-        const auto* word = std::get_if<std::string>(&value->value);
-        for (std::size_t i = 0; word && i < choice.options.size(); ++i) {
-            if (choice.options[i][0] == *word) return i;
-        }
-        return std::nullopt;
-    }
-    // As TableReader::chosen: a file's own choice overrides the one that it inherits, whose keys are not read.
-    std::optional<std::size_t> group_of(const Node& node, const std::string& path, const Choice& choice) {
-        std::size_t group = 0;
-        const Node* best = nullptr;
-        for (std::size_t i = 0; i < choice.options.size(); ++i) {
-            for (const std::string& key : choice.options[i]) {
-                const Node* entry = node.find(key);
-                if (!entry) continue;
-                unread_.push_back(entry);
-                if (best && group != i && best->file == entry->file) {
-                    tell_value(*entry, full(path, key), "either this or '" + best->key + "', not both");
-                    return std::nullopt;
-                }
-                if (!best || entry->file->generation < best->file->generation) best = entry, group = i;
-            }
-        }
-        return group;
-    }
-
     void check(const Node& value, const std::string& path, const KeyRecord& key) {
         const ValueRule& rule = key.value;
         if (rule.shapes == 0) return;  // its presence alone says something
@@ -209,18 +161,7 @@ private:
             }
         }
     }
-
-    std::vector<const Node*> unread_;  // of groups that another one overrides
 };
-
-// Made once: who tries many files that have mistakes does not wait for it each time.
-const TableRecord& format_of(DescribeFormat describe) {
-    static std::mutex mutex;
-    static std::map<DescribeFormat, TableRecord> formats;
-    const std::scoped_lock lock(mutex);
-    const auto known = formats.find(describe);
-    return known != formats.end() ? known->second : formats.emplace(describe, record_keys(describe)).first->second;
-}
 
 // "file:line:column: key 'x'", which tells two mistakes apart.
 std::string_view place_in(std::string_view message) {

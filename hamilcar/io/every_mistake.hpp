@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "hamilcar/io/chosen_keys.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/table_reader.hpp"
 
@@ -12,7 +13,6 @@ namespace hamilcar::io {
 
 // Throws what `read` throws; where that is about what stands in the file, with all mistakes of the file: unknown keys first, then
 // by their places. `describe` reads the same without a file; what it says is kept for the next mistake of such a file.
-using DescribeFormat = void (*)(const TableReader&);
 void with_every_mistake(const Node& document, DescribeFormat describe, const std::function<void()>& read);
 
 // One message for each.

@@ -120,7 +120,7 @@ std::string script_safe(const json& document) {
 
 }  // namespace
 
-void write_page(const std::string& path, const Page& page) {
+std::string page_text(const Page& page) {
     ColumnBlock numbers;
     json blocks = json::array(), runs = json::array();
     for (const PageBlock& block : page.blocks) {
@@ -144,9 +144,16 @@ void write_page(const std::string& path, const Page& page) {
     const std::string_view text = page_template();
     const std::size_t at_document = text.rfind(document_tag) + document_tag.size();
     const std::size_t at_columns = text.rfind(columns_tag) + columns_tag.size();
-    write_whole_file(
-        path, {text.substr(0, at_document), script_safe(document), text.substr(at_document, at_columns - at_document),
-               numbers.base64(), text.substr(at_columns)});
+    std::string out(text.substr(0, at_document));
+    out += script_safe(document);
+    out += text.substr(at_document, at_columns - at_document);
+    out += numbers.base64();
+    out += text.substr(at_columns);
+    return out;
+}
+
+void write_page(const std::string& path, const Page& page) {
+    write_whole_file(path, {page_text(page)});
 }
 
 }  // namespace hamilcar::io

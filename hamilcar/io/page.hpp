@@ -96,7 +96,9 @@ struct Page {
 // The page without a document: `hamilcar drive` serves it so.
 std::string_view page_template();
 
-// The same bytes for the same page. Throws Error(input_output) where the file cannot be written.
+// The same bytes for the same page.
+std::string page_text(const Page& page);
+// Throws Error(input_output) where the file cannot be written.
 void write_page(const std::string& path, const Page& page);
 
 }  // namespace hamilcar::io

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -43,58 +41,35 @@ bool check_scene(const std::string& path, const std::string& text) {
 }
 
 // Whether a variable is numbers over one dimension, the given one.
-bool is_series(const NetcdfFile& file, int variable, int dimension) {
-    int dimensions = 0, first = 0;
-    nc_type type = NC_NAT;
-    file.check(nc_inq_varndims(file.id(), variable, &dimensions), "read a shape");
-    file.check(nc_inq_vartype(file.id(), variable, &type), "read a type");
-    if (dimensions != 1 || type == NC_CHAR || type == NC_STRING) return false;
-    return nc_inq_vardimid(file.id(), variable, &first) == NC_NOERR && first == dimension;
+bool is_series(const NetcdfVariable& variable, std::size_t dimension) {
+    return variable.dimensions == std::vector{dimension} && variable.type != NetcdfType::character;
 }
 
-// Of every column all rows. A block of rows at a time: in the file all columns of a row stand together.
-std::vector<std::vector<double>> read_rows(const NetcdfFile& file, const std::vector<int>& columns, std::size_t rows) {
-    constexpr std::size_t rows_per_block = 1024;
-    std::vector<std::vector<double>> values(columns.size(), std::vector<double>(rows));
-    for (std::size_t row = 0; row < rows; row += rows_per_block) {
-        const std::size_t count = std::min(rows_per_block, rows - row);
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            file.check(nc_get_vara_double(file.id(), columns[i], &row, &count, values[i].data() + row), "read rows");
-        }
+// The numbers of a variable of this type and shape.
+std::vector<double> numbers(NetcdfReader& file, const char* name, NetcdfType type,
+                            const std::vector<std::uint64_t>& shape) {
+    const auto found = file.header().variable(name);
+    const NetcdfVariable* variable = found ? &file.header().variables[*found] : nullptr;
+    if (!variable || variable->type != type || file.header().shape(*variable) != shape) {
+        throw Error(ExitCode::bad_file, file.path() + ": expected the tiles of a road that hamilcar wrote");
     }
-    return values;
-}
-
-// The dimensions of a variable, by their lengths.
-void expect_shape(const NetcdfFile& file, const std::string& path, int variable,
-                  const std::vector<std::size_t>& shape) {
-    int dimensions = 0;
-    file.check(nc_inq_varndims(file.id(), variable, &dimensions), "read a shape");
-    std::vector<int> ids(static_cast<std::size_t>(dimensions));
-    file.check(nc_inq_vardimid(file.id(), variable, ids.data()), "read a shape");
-    std::vector<std::size_t> lengths(ids.size());
-    for (std::size_t i = 0; i < ids.size(); ++i) nc_inq_dimlen(file.id(), ids[i], &lengths[i]);
-    if (lengths != shape) throw Error(ExitCode::bad_file, path + ": expected the tiles of a road that hamilcar wrote");
+    return file.numbers(*variable);
 }
 
 std::vector<RoadTile> read_tiles(const std::string& path) {
-    const NetcdfFile file(path, NetcdfFile::Mode::read);
-    int dimension = 0, index = 0, height = 0;
-    std::size_t count = 0;
-    file.check(nc_inq_dimid(file.id(), "tile", &dimension), "find the dimension tile");
-    file.check(nc_inq_dimlen(file.id(), dimension, &count), "read the dimension tile");
-    file.check(nc_inq_varid(file.id(), "index", &index), "find index");
-    file.check(nc_inq_varid(file.id(), "height", &height), "find height");
-    expect_shape(file, path, index, {count, 2});
-    expect_shape(file, path, height, {count, tile_nodes, tile_nodes});
+    NetcdfReader file(path);
+    const auto tile = file.header().dimension("tile");
+    const std::uint64_t count = tile ? file.header().length(*tile) : 0;
+    const std::vector<double> index = numbers(file, "index", NetcdfType::integer, {count, 2});
+    const std::vector<double> heights =
+        numbers(file, "height", NetcdfType::single_number, {count, tile_nodes, tile_nodes});
     std::vector<RoadTile> tiles(count);
     for (std::size_t i = 0; i < count; ++i) {
-        std::array<int, 2> at{};
-        const std::array<std::size_t, 3> start{i, 0, 0}, two{1, 2, 0}, square{1, tile_nodes, tile_nodes};
-        file.check(nc_get_vara_int(file.id(), index, start.data(), two.data(), at.data()), "read index");
-        tiles[i] = {at[0], at[1], std::vector<float>(heights_of_tile)};
-        file.check(nc_get_vara_float(file.id(), height, start.data(), square.data(), tiles[i].heights.data()),
-                   "read height");
+        tiles[i] = {static_cast<int>(index[2 * i]), static_cast<int>(index[2 * i + 1]),
+                    std::vector<float>(heights_of_tile)};
+        for (std::size_t k = 0; k < heights_of_tile; ++k) {
+            tiles[i].heights[k] = static_cast<float>(heights[i * heights_of_tile + k]);
+        }
     }
     return tiles;
 }
@@ -102,31 +77,27 @@ std::vector<RoadTile> read_tiles(const std::string& path) {
 }  // namespace
 
 ResultFile read_result(const std::string& path) {
-    const NetcdfFile file(path, NetcdfFile::Mode::read);
-    ResultFile result{file.text(NC_GLOBAL, "title"), file.text(NC_GLOBAL, scene_attribute), {}, {}, {}};
-    int time = 0, variables = 0, dimension = 0;
-    std::size_t rows = 0;
-    if (nc_inq_dimid(file.id(), "time", &dimension) != NC_NOERR || nc_inq_varid(file.id(), "time", &time) != NC_NOERR ||
-        !is_series(file, time, dimension)) {
+    NetcdfReader file(path);
+    const NetcdfHeader& header = file.header();
+    ResultFile result{header.text("title"), header.text(scene_attribute), {}, {}, {}};
+    const auto dimension = header.dimension("time"), time = header.variable("time");
+    if (!dimension || !time || !is_series(header.variables[*time], *dimension)) {
         throw Error(ExitCode::bad_file, path +
                                             ": expected a result of hamilcar, with a variable time [s] of numbers over "
                                             "the dimension time alone");
     }
-    file.check(nc_inq_dimlen(file.id(), dimension, &rows), "read the dimension time");
-    if (rows == 0) throw Error(ExitCode::bad_file, path + ": expected at least one row of results, found none");
-    file.check(nc_inq_nvars(file.id(), &variables), "count the variables");
-    std::vector<int> columns{time};
-    for (int variable = 0; variable < variables; ++variable) {
-        if (variable != time && is_series(file, variable, dimension)) columns.push_back(variable);
+    if (header.length(*dimension) == 0)
+        throw Error(ExitCode::bad_file, path + ": expected at least one row of results, found none");
+    std::vector<std::size_t> columns{*time};
+    for (std::size_t i = 0; i < header.variables.size(); ++i) {
+        if (i != *time && is_series(header.variables[i], *dimension)) columns.push_back(i);
     }
-    for (const int variable : columns) {
-        std::array<char, NC_MAX_NAME + 1> name{};
-        file.check(nc_inq_varname(file.id(), variable, name.data()), "read a name");
-        result.columns.push_back({name.data(), file.text(variable, "units"), file.text(variable, "long_name"),
-                                  role_named(file.text(variable, role_attribute)),
-                                  file.text(variable, role_of_attribute)});
+    for (const std::size_t column : columns) {
+        const NetcdfVariable& variable = header.variables[column];
+        result.columns.push_back({variable.name, variable.text("units"), variable.text("long_name"),
+                                  role_named(variable.text(role_attribute)), variable.text(role_of_attribute)});
     }
-    result.values = read_rows(file, columns, rows);
+    result.values = file.series(columns);
     const std::string tiles = tiles_beside(path);
     const bool uneven = !result.scene.empty() && check_scene(path, result.scene);
     if (uneven && std::filesystem::exists(tiles)) result.tiles = read_tiles(tiles);
@@ -139,23 +110,23 @@ std::string tiles_beside(const std::string& result_path) {
 }
 
 void write_tiles(const std::string& path, const std::vector<RoadTile>& tiles) {
-    const NetcdfFile file(path, NetcdfFile::Mode::create);
-    const int tile = file.define_dimension("tile", tiles.size()), y = file.define_dimension("y", tile_nodes),
-              x = file.define_dimension("x", tile_nodes), two = file.define_dimension("ix_iy", 2);
-    const int index = file.define_variable("index", NC_INT, {tile, two});
-    const int height = file.define_variable("height", NC_FLOAT, {tile, y, x});
-    file.set_text(height, "units", "m");
-    file.set_text(height, "long_name",
-                  "road above z = 0; tile (ix, iy) begins at x = 16 ix, y = 16 iy, nodes every 0.25 m");
-    file.check(nc_enddef(file.id()), "write the header");
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-        const std::array<int, 2> at{tiles[i].ix, tiles[i].iy};
-        const std::array<std::size_t, 3> start{i, 0, 0}, pair{1, 2, 0}, square{1, tile_nodes, tile_nodes};
-        file.check(nc_put_vara_int(file.id(), index, start.data(), pair.data(), at.data()), "write index");
-        file.check(nc_put_vara_float(file.id(), height, start.data(), square.data(), tiles[i].heights.data()),
-                   "write height");
+    NetcdfHeader header{.dimensions = {{"tile", tiles.size()}, {"y", tile_nodes}, {"x", tile_nodes}, {"ix_iy", 2}}};
+    header.variables = {
+        {.name = "index", .type = NetcdfType::integer, .dimensions = {0, 3}},
+        {.name = "height",
+         .type = NetcdfType::single_number,
+         .dimensions = {0, 1, 2},
+         .attributes = {
+             {"units", "m"},
+             {"long_name", "road above z = 0; tile (ix, iy) begins at x = 16 ix, y = 16 iy, nodes every 0.25 m"}}}};
+    NetcdfOutput file(path, header);
+    std::string bytes;
+    for (const RoadTile& tile : tiles) append_big_endian(bytes, tile.ix), append_big_endian(bytes, tile.iy);
+    for (const RoadTile& tile : tiles) {
+        for (const float height : tile.heights) append_big_endian(bytes, height);
     }
-    file.check(nc_sync(file.id()), "write");
+    file.write(bytes, "write the tiles");
+    file.close();
 }
 
 }  // namespace hamilcar::io

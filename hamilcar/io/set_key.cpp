@@ -36,16 +36,18 @@ std::vector<std::string> labels_of(const ListValue& list) {
     return labels;
 }
 
+bool whole_number(const std::string& text, std::size_t& number) {
+    const auto [end, wrong] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return wrong == std::errc() && end == text.data() + text.size();
+}
+
 Node& item_of(ListValue& list, const std::string& label, const std::string& path, const std::string& before) {
     const std::vector<std::string> labels = labels_of(list);
     if (const auto found = std::ranges::find(labels, label); found != labels.end()) {
         return list.items[static_cast<std::size_t>(found - labels.begin())];
     }
     std::size_t number = 0;
-    const auto [end, wrong] = std::from_chars(label.data(), label.data() + label.size(), number);
-    if (wrong == std::errc() && end == label.data() + label.size() && number < list.items.size()) {
-        return list.items[number];
-    }
+    if (whole_number(label, number) && number < list.items.size()) return list.items[number];
     const std::vector<std::string_view> words(labels.begin(), labels.end());
     throw Error(ExitCode::usage, before + "'" + path + "' has no '" + label + "': expected one of " +
                                      quoted_list(std::span(words).first(std::min<std::size_t>(words.size(), 12))));
@@ -70,19 +72,15 @@ Node& entry_of(Node& node, const std::string& name, const Node& place) {
 
 }  // namespace
 
-void set_key(Node& document, const std::string& assignment, const std::string& option) {
-    const std::string before = option + " '" + assignment + "': ";
-    const std::size_t equals = assignment.find('=');
-    const std::vector<std::string> parts = parts_of(assignment.substr(0, equals));
-    if (equals == std::string::npos || parts.empty() || equals + 1 == assignment.size()) {
-        throw Error(
-            ExitCode::usage,
-            before + "expected KEY=VALUE with a key such as 'chassis.mass_kg' or 'axle[front].spring.rate_N_per_m'");
+void set_key(Node& document, const std::string& key, Node value, const std::string& before) {
+    const std::vector<std::string> parts = parts_of(key);
+    if (parts.empty()) {
+        throw Error(ExitCode::usage,
+                    before + "expected a key such as 'chassis.mass_kg' or 'axle[front].spring.rate_N_per_m'");
     }
     if (parts.size() > max_key_parts) {
         throw Error(ExitCode::usage, before + "expected at most " + std::to_string(max_key_parts) + " parts of a key");
     }
-    Node value = typed_value(option, assignment.substr(equals + 1));
     Node* node = &document;
     std::string path;
     for (const std::string& part : parts) {
@@ -92,6 +90,36 @@ void set_key(Node& document, const std::string& assignment, const std::string& o
     }
     node->value = std::move(value.value);
     node->file = value.file, node->key_begin = value.key_begin, node->begin = value.begin, node->end = value.end;
+}
+
+void set_key(Node& document, const std::string& assignment, const std::string& option) {
+    const std::string before = option + " '" + assignment + "': ";
+    const std::size_t equals = assignment.find('=');
+    const bool is_assignment = equals != std::string::npos && equals + 1 < assignment.size();
+    if (!is_assignment || parts_of(assignment.substr(0, equals)).empty()) {
+        throw Error(
+            ExitCode::usage,
+            before + "expected KEY=VALUE with a key such as 'chassis.mass_kg' or 'axle[front].spring.rate_N_per_m'");
+    }
+    set_key(document, assignment.substr(0, equals), typed_value(option, assignment.substr(equals + 1)), before);
+}
+
+const Node* value_at(const Node& document, const std::string& key) {
+    const std::vector<std::string> parts = parts_of(key);
+    if (parts.empty()) return nullptr;
+    const Node* node = &document;
+    for (const std::string& part : parts) {
+        if (const auto* list = std::get_if<ListValue>(&node->value)) {
+            const std::vector<std::string> labels = labels_of(*list);
+            std::size_t at = static_cast<std::size_t>(std::ranges::find(labels, part) - labels.begin());
+            if (at == labels.size() && !whole_number(part, at)) return nullptr;
+            node = at < list->items.size() ? &list->items[at] : nullptr;
+        } else {
+            node = node->find(part);
+        }
+        if (!node) return nullptr;
+    }
+    return node;
 }
 
 }  // namespace hamilcar::io

@@ -12,5 +12,10 @@ namespace hamilcar::io {
 // not there is added; the reader of the document says whether it may be there. `option` names the place in messages. Throws
 // Error(usage) for what is no assignment or names an item that is not there.
 void set_key(Node& document, const std::string& assignment, const std::string& option);
+// The same of a value that is no text; `before` begins the messages.
+void set_key(Node& document, const std::string& key, Node value, const std::string& before);
+
+// What stands at a key, null where nothing does.
+const Node* value_at(const Node& document, const std::string& key);
 
 }  // namespace hamilcar::io

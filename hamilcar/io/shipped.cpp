@@ -5,9 +5,32 @@
 
 namespace hamilcar::io {
 
+namespace {
+
+// Where this program was put with what comes with it: "bin/hamilcar" beside "share/hamilcar", wherever both were moved to.
+std::filesystem::path beside_program() {
+    std::error_code unreadable;
+    return std::filesystem::read_symlink("/proc/self/exe", unreadable).parent_path() / "../share/hamilcar";
+}
+
+std::string& chosen_folder() {
+    static std::string folder;
+    return folder;
+}
+
+}  // namespace
+
+void set_shipped_folder(const std::string& folder) {
+    chosen_folder() = folder;
+}
+
 std::optional<std::string> find_shipped(const std::string& name) {
-    for (const char* folder : {".", HAMILCAR_SOURCE_DATA, HAMILCAR_INSTALLED_DATA}) {
-        std::string path = std::filesystem::path(folder) / name;
+    const std::filesystem::path beside =
+        chosen_folder().empty() ? beside_program() : std::filesystem::path(chosen_folder());
+    for (const std::filesystem::path& folder :
+         {std::filesystem::path("."), beside, std::filesystem::path(HAMILCAR_SOURCE_DATA),
+          std::filesystem::path(HAMILCAR_INSTALLED_DATA)}) {
+        std::string path = (folder / name).lexically_normal();
         std::error_code unreadable;
         if (std::filesystem::exists(path, unreadable)) return path;
     }

@@ -5,6 +5,7 @@
 
 #include "hamilcar/analysis/no_solution.hpp"
 #include "hamilcar/io/error.hpp"
+#include "hamilcar/io/spelling.hpp"
 #include "hamilcar/maneuver/catalog.hpp"
 #include "hamilcar/maneuver/test_run.hpp"
 
@@ -68,6 +69,25 @@ const std::vector<Maneuver>& maneuvers() {
 const Maneuver* find_maneuver(const std::string& name) {
     const auto found = std::ranges::find(maneuvers(), name, &Maneuver::name);
     return found == maneuvers().end() ? nullptr : &*found;
+}
+
+const Maneuver& require_maneuver(const std::string& name) {
+    if (const Maneuver* maneuver = find_maneuver(name)) return *maneuver;
+    std::vector<std::string_view> names;
+    for (const Maneuver& maneuver : maneuvers()) names.push_back(maneuver.name);
+    const std::string hint = io::did_you_mean(name, names);
+    throw io::Error(io::ExitCode::bad_file,
+                    fmt::format("there is no maneuver '{}': expected {}{}", name, io::quoted_list(names),
+                                hint.empty() ? "" : "; " + hint),
+                    "maneuver.name");
+}
+
+void require_support(const Maneuver& maneuver, const VehicleDescription& vehicle) {
+    const std::string reason = maneuver.unsupported_reason(vehicle);
+    if (reason.empty()) return;
+    throw io::Error(io::ExitCode::bad_file,
+                    fmt::format("{} cannot do the maneuver '{}': {}", vehicle.name, maneuver.name, reason),
+                    "maneuver.name");
 }
 
 }  // namespace hamilcar

@@ -148,6 +148,10 @@ const Setting& setting_called(const std::string& name, const std::vector<Setting
 // All of them, in the order of the documentation.
 const std::vector<Maneuver>& maneuvers();
 const Maneuver* find_maneuver(const std::string& name);
+// The same. Throws io::Error(bad_file), with what there is, for a name that is none.
+const Maneuver& require_maneuver(const std::string& name);
+// Throws io::Error(bad_file) with the reason for a vehicle that cannot do it.
+void require_support(const Maneuver& maneuver, const VehicleDescription& vehicle);
 
 // With words as the numbers that stand for them, by the names as they were typed. Throws io::Error(bad_file) for a setting that
 // does not exist, and for a word that it does not have.

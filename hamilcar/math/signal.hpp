@@ -39,6 +39,8 @@ public:
     // From `time` on: value + rate t + acceleration t^2 / 2, with t since `time` [s]. Without allocation; `scale` is the time
     // scale of the polynomial [s].
     void follow(double time, const SignalValue<double>& now, double scale);
+    // A piece that begins at `time` and goes on, until the next call.
+    void follow(double time, const SignalPiece<double>& piece) { follow(Span{piece, time, forever}); }
 
     // A piece and its interval of validity.
     struct Span {

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "hamilcar/base/assert.hpp"
 #include "hamilcar/program/executable_memory.hpp"
 #include "hamilcar/program/pass.hpp"
 #include "hamilcar/program/x86_lowering.hpp"
@@ -100,5 +102,29 @@ std::unique_ptr<Executable> compile_avx512(const Graph& graph, bool car_in_each_
 }
 
 }  // namespace hamilcar::program
+
+// Debian's AsmJit is an archive whose code may stand in a shared library but for one object, that of these three functions: it
+// refers to `stderr` as only programs may. With these the linker has no need of it.
+namespace asmjit::DebugUtils {
+
+const char* errorAsString(Error error) noexcept {
+    switch (error) {
+        case kErrorOutOfMemory: return "out of memory";
+        case kErrorInvalidOperandSize: return "operands of different sizes";
+        case kErrorInvalidInstruction: return "an instruction with operands that it does not have";
+        case kErrorTooLarge: return "too large";
+        default: return "AsmJit refuses (the numbers of its errors are in <asmjit/core/globals.h>)";
+    }
+}
+
+void debugOutput(const char* text) noexcept {
+    std::fputs(text, stderr);
+}
+
+void assertionFailed(const char* file, int line, const char* condition) noexcept {
+    hamilcar::assertion_failed(condition, file, line);
+}
+
+}  // namespace asmjit::DebugUtils
 
 #endif

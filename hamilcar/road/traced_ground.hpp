@@ -6,10 +6,11 @@
 
 namespace hamilcar {
 
-// Context of the calls: the surface of each lane, null for a plane road, and the time [s].
+// Context of the calls: the surface of each lane, null for a plane road, and its time, `ahead` of which the step now is [s].
 struct LaneSurfaces {
     const Surface* const* surfaces;
-    double time;
+    const double* times;
+    double ahead;
 };
 
 // The function of such a call, for E double or float; `wheel` is the wheel's index, `context` a LaneSurfaces.
@@ -21,7 +22,7 @@ void look_up_ground(const void* context, int wheel, int lanes, const void* argum
         PatchPose<double> place;
         PatchPose<double>::for_each(place, [&](double& number) { number = *argument, argument += lanes; });
         PatchPlane<double> plane;
-        if (below.surfaces[lane]) plane = below.surfaces[lane]->under(place, wheel, below.time);
+        if (below.surfaces[lane]) plane = below.surfaces[lane]->under(place, wheel, below.times[lane] + below.ahead);
         E* result = static_cast<E*>(results) + lane;
         PatchPlane<double>::for_each(plane, [&](double number) { *result = static_cast<E>(number), result += lanes; });
     }

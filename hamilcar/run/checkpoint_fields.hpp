@@ -46,6 +46,7 @@ template <class SomeMemory, class Visitor>
 void visit_driver(SomeMemory& d, double time, const SnapshotBounds& b, Visitor& v) {
     const Limits along{-b.farthest, b.farthest}, clock{0, time};
     v.truth("driver.begun", d.begun), v.real("driver.first_time", d.first_time, clock);
+    v.truth("driver.has_throttle", d.has_throttle), v.real("driver.throttle", d.throttle, {0, 1});
 
     v.truth("driver.path.begun", d.path.begun);
     v.real("driver.path.station", d.path.station, along), v.real("driver.path.offset", d.path.offset, along);

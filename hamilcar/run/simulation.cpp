@@ -219,27 +219,30 @@ std::string Simulation::travels(int number) const {
 }
 
 Sample Simulation::sample() const {
-    const Input<double> input = schedule_(time());
-    Sample s{.time = time(),
-             .model = model_,
-             .state = state_,
+    return sample_at(model_, state_, schedule_(time()));
+}
+
+Sample sample_at(const Model<double>& model, const State<double>& state, const Input<double>& input) {
+    Sample s{.time = input.time,
+             .model = model,
+             .state = state,
              .input = input,
-             .velocity = velocity_block(model_, state_, input),
+             .velocity = velocity_block(model, state, input),
              .momenta = {},
              .energy = {},
              .violation = 0,
              .constraint_norm = 0,
              .mobility = 1};
-    s.momenta = momenta_block(model_, state_, input, s.velocity);
-    s.energy = energy(model_, state_, s.velocity, s.momenta);
-    if (!model_.energy_balance) s.energy.work = std::numeric_limits<double>::quiet_NaN();  // no account was kept
-    for (int i = 0; i < static_cast<int>(model_.vehicle.suspensions.size()); ++i) {
-        const LoopReport loop = inspect_loops(model_, input.rack, state_, i);
+    s.momenta = momenta_block(model, state, input, s.velocity);
+    s.energy = energy(model, state, s.velocity, s.momenta);
+    if (!model.energy_balance) s.energy.work = std::numeric_limits<double>::quiet_NaN();  // no account was kept
+    for (int i = 0; i < static_cast<int>(model.vehicle.suspensions.size()); ++i) {
+        const LoopReport loop = inspect_loops(model, input.rack, state, i);
         s.violation = std::max(s.violation, loop.violation);
         s.mobility = std::min(s.mobility, loop.mobility);
     }
-    for (std::size_t i = 0; i < model_.vehicle.suspensions.size(); ++i) {
-        for (int e = 0; e < model_.vehicle.suspensions[i].linkage.nW(); ++e) {
+    for (std::size_t i = 0; i < model.vehicle.suspensions.size(); ++i) {
+        for (int e = 0; e < model.vehicle.suspensions[i].linkage.nW(); ++e) {
             const double Phi = s.velocity.suspensions[i].at.Phi[static_cast<std::size_t>(e)];
             s.constraint_norm += Phi * Phi;
         }

@@ -36,6 +36,9 @@ struct Sample {
     mutable std::optional<double> rack_force{};
 };
 
+// All of that at one state; model and state must outlive it.
+Sample sample_at(const Model<double>& model, const State<double>& state, const Input<double>& input);
+
 // Why a run ended early.
 struct End {
     double time;          // of the last good state [s]
@@ -83,6 +86,11 @@ public:
     // The driver of a simulator decides anew before every step: from now on a control goes as told. Without allocation.
     void follow(Control control, const SignalValue<double>& now) {
         schedule_.follow(control, time(), now, scenario_.solver.step);
+    }
+    // Calls change(schedule, driver or null) with what the car is driven by.
+    template <class Change>
+    void change_inputs(Change&& change) {
+        change(schedule_, driver_ ? &*driver_ : nullptr);
     }
     Observation observation() const { return observe(model_, state_, schedule_(time())); }
     const DrivenCar& driven_car() const { return car_; }

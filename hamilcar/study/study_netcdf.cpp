@@ -1,4 +1,6 @@
 // The table as netCDF classic: one dimension, `point`, and a variable for every parameter and figure.
+#include <filesystem>
+
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/netcdf_file.hpp"
 #include "hamilcar/io/whole_file.hpp"
@@ -39,34 +41,28 @@ std::string variable_name(std::string name) {
     return name;
 }
 
-void write(const io::NetcdfFile& file, const StudyTable& table) {
-    file.set_text(NC_GLOBAL, "title", table.name);
-    file.set_text(NC_GLOBAL, "source", "Hamilcar " HAMILCAR_VERSION);
-    file.set_text(NC_GLOBAL, "vehicle_file", table.vehicle);
-    const int point = file.define_dimension("point", table.points.size());
-    const std::vector<Variable> variables = variables_of(table);
-    std::vector<int> ids;
-    for (const Variable& variable : variables) {
-        ids.push_back(file.define_variable(variable_name(variable.name), NC_DOUBLE, {point}));
-        if (!variable.unit.empty()) file.set_text(ids.back(), "units", variable.unit);
-        if (!variable.meaning.empty()) file.set_text(ids.back(), "long_name", variable.meaning);
-    }
-    file.check(nc_enddef(file.id()), "end its definitions");
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-        file.check(nc_put_var_double(file.id(), ids[i], variables[i].values.data()), "write");
-    }
-}
-
 }  // namespace
 
 void write_study_netcdf(const std::string& path, const StudyTable& table) {
+    io::NetcdfHeader header{.dimensions = {{"point", table.points.size()}}};
+    header.attributes = {
+        {"title", table.name}, {"source", "Hamilcar " HAMILCAR_VERSION}, {"vehicle_file", table.vehicle}};
+    std::string bytes;
+    for (const Variable& variable : variables_of(table)) {
+        header.variables.push_back({.name = variable_name(variable.name), .dimensions = {0}});
+        std::vector<io::NetcdfAttribute>& attributes = header.variables.back().attributes;
+        if (!variable.unit.empty()) attributes.push_back({"units", variable.unit});
+        if (!variable.meaning.empty()) attributes.push_back({"long_name", variable.meaning});
+        for (const double value : variable.values) io::append_big_endian(bytes, value);
+    }
     const std::string beside = io::create_beside(path);
-    io::NetcdfFile file(beside, io::NetcdfFile::Mode::create);
     try {
-        write(file, table);
+        io::NetcdfOutput file(beside, header);
+        file.write(bytes, "write");
         file.close();
     } catch (const io::Error&) {
-        file.abort();
+        std::error_code gone_already;
+        std::filesystem::remove(beside, gone_already);
         throw;
     }
     io::put_in_place(beside, path);

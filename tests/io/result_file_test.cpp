@@ -113,7 +113,59 @@ TEST_F(ResultFiles, ThatAreNoneAreToldSo) {
     expect_error(folder_ / "other.nc", ExitCode::bad_file, "expected a result of hamilcar");
 }
 
-// What a file may ask of the library that believes it. All of these crashed, hung or took gigabytes.
+// By Unidata's library, in every format and type of numbers, over records and not: odd sizes are padded, or not where they are alone.
+TEST_F(ResultFiles, OfOthersAreReadWhateverTheirNumbersAre) {
+    struct Kind {
+        nc_type type;
+        double lowest, highest;
+    };
+    const std::vector<Kind> classic{{NC_BYTE, -128, 127},
+                                    {NC_SHORT, -32768, 32767},
+                                    {NC_INT, -2147483648.0, 2147483647},
+                                    {NC_FLOAT, -1.5e30f, 0.125},
+                                    {NC_DOUBLE, -1.1e300, 1.0 / 3}};
+    const std::vector<Kind> newer{{NC_UBYTE, 0, 255},
+                                  {NC_USHORT, 0, 65535},
+                                  {NC_UINT, 0, 4294967295.0},
+                                  {NC_INT64, -9007199254740992.0, 9007199254740992.0},
+                                  {NC_UINT64, 0, 9007199254740992.0}};
+    for (const int format : {0, NC_64BIT_OFFSET, NC_64BIT_DATA}) {
+        for (const bool over_records : {true, false}) {
+            std::vector<Kind> kinds = classic;
+            if (format == NC_64BIT_DATA) kinds.insert(kinds.end(), newer.begin(), newer.end());
+            for (std::size_t count = 0; count <= kinds.size(); count += kinds.size()) {  // the time alone, or with all
+                const std::string path = folder_ / "kinds.nc";
+                int id = 0, dimension = 0, time = 0;
+                ASSERT_EQ(nc_create(path.c_str(), NC_CLOBBER | format, &id), NC_NOERR);
+                nc_def_dim(id, "time", over_records ? NC_UNLIMITED : 3, &dimension);
+                nc_def_var(id, "time", count == 0 ? NC_SHORT : NC_DOUBLE, 1, &dimension, &time);
+                std::vector<int> variables(count);
+                for (std::size_t i = 0; i < count; ++i) {
+                    const std::string name = "v" + std::to_string(i);
+                    ASSERT_EQ(nc_def_var(id, name.c_str(), kinds[i].type, 1, &dimension, &variables[i]), NC_NOERR);
+                }
+                nc_enddef(id);
+                const std::size_t start = 0, rows = 3;
+                const std::array<double, 3> times{0, 1, 2};
+                nc_put_vara_double(id, time, &start, &rows, times.data());
+                for (std::size_t i = 0; i < count; ++i) {
+                    const std::array<double, 3> values{kinds[i].lowest, kinds[i].highest, 1};
+                    ASSERT_EQ(nc_put_vara_double(id, variables[i], &start, &rows, values.data()), NC_NOERR);
+                }
+                nc_close(id);
+                const ResultFile read = read_result(path);
+                ASSERT_EQ(read.columns.size(), count + 1) << format;
+                EXPECT_THAT(read.values[0], testing::ElementsAre(0, 1, 2)) << format << over_records;
+                for (std::size_t i = 0; i < count; ++i) {
+                    EXPECT_THAT(read.values[i + 1], testing::ElementsAre(kinds[i].lowest, kinds[i].highest, 1))
+                        << format << over_records << " type " << kinds[i].type;
+                }
+            }
+        }
+    }
+}
+
+// What a file may ask of a reader that believes it. All of these crashed, hung or took gigabytes.
 class ForeignResults : public ResultFiles {
 protected:
     // A file of the library's own with one dimension, `time`, and a variable of that name.

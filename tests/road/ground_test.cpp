@@ -186,7 +186,8 @@ TEST(Ground, LanesAreIndependent) {
         PatchPose<double>::for_each(l == 2 ? high : place, [&](double n) { arguments[next] = n, next += 3; });
     }
     const std::array<const Surface*, 3> surfaces{&surface, nullptr, &surface};
-    const LaneSurfaces below{surfaces.data(), 0};
+    const std::vector<double> times(surfaces.size());
+    const LaneSurfaces below{surfaces.data(), times.data(), 0};
     look_up_ground<double>(&below, 0, 3, arguments.data(), found.data());
     const std::array<PatchPlane<double>, 3> expected{surface.under(place, 0, 0), {}, {}};
     EXPECT_EQ(expected[0].found, 1);

@@ -1,0 +1,100 @@
+#include "hamilcar/driver/direct_controls.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "hamilcar/driver/driver.hpp"
+
+namespace hamilcar {
+
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+bool is_driven(const VehicleDescription& vehicle) {
+    bool driven = false;
+    for_each_wheel(vehicle, [&](const auto& wheel, std::size_t) { driven = driven || wheel.drive_share > 0; });
+    return driven;
+}
+bool has_brakes(const VehicleDescription& vehicle) {
+    bool brakes = false;
+    for_each_wheel(vehicle, [&](const auto& wheel, std::size_t) { brakes = brakes || wheel.brake.max_torque > 0; });
+    return brakes;
+}
+// The lowest and the highest.
+std::array<double, 2> gears(const VehicleDescription& vehicle) {
+    std::array<double, 2> out{};
+    for (const auto& unit : vehicle.power_units) {
+        if (unit.gearbox.reverse_ratio > 0) out[0] = -1;
+        out[1] = std::max(out[1], static_cast<double>(unit.gearbox.ratios.size()));
+    }
+    return out;
+}
+
+}  // namespace
+
+DirectControls::DirectControls(const VehicleDescription& vehicle, const ScenarioDescription& scenario,
+                               const Schedule& schedule)
+    : column_(vehicle.steering) {
+    const SteeringDescription& steering = vehicle.steering;
+    const double stop = steering.rack_travel > 0 ? steering.rack_travel : unlimited;
+    const DriverDescription& driver = scenario.driver;
+    if (column_.exists() && !driver.steering) {
+        const double angle = stop < unlimited ? std::abs(column_.angle(stop)) : unlimited;
+        list_.push_back({"steering_wheel", "rad", "angle of the steering wheel, to the left positive", Control::rack,
+                         -angle, angle, true});
+    } else if (!driver.steering && stop < unlimited) {
+        list_.push_back({"rack", "m", "displacement of the rack", Control::rack, -stop, stop});
+    }
+    if (!schedule.powered() && is_driven(vehicle) && !driver.speed) {
+        list_.push_back(
+            {"drive_torque", "N m", "at the driven wheels together", Control::drive_torque, -unlimited, unlimited});
+    }
+    if (schedule.powered() && !driver.speed) {
+        list_.push_back({"throttle", "1", "pedal of the power units, 0 to 1", Control::throttle, 0, 1});
+    }
+    if (has_brakes(vehicle) && !(driver.speed && driver.speed->may_brake)) {
+        list_.push_back({"brake", "1", "brake pedal, 0 to 1", Control::brake, 0, 1});
+    }
+    if (schedule.powered() && !driver.shifting) {
+        list_.push_back({"clutch", "1", "clutch pedal, 0 released to 1 pressed", Control::clutch, 0, 1});
+        const auto [lowest, highest] = gears(vehicle);
+        list_.push_back({"gear", "1", "-1 reverse, 0 neutral, 1 first, ...", Control::gear, lowest, highest});
+    }
+    if (schedule.windy()) {
+        list_.push_back({"wind_x", "m/s", "velocity of the air, ground axes", Control::wind_x, -unlimited, unlimited});
+        list_.push_back({"wind_y", "m/s", "velocity of the air, ground axes", Control::wind_y, -unlimited, unlimited});
+    }
+}
+
+double DirectControls::scheduled(const Entry& entry, double value) const {
+    return entry.by_wheel ? column_.rack(value).displacement : value;
+}
+
+double DirectControls::value(std::size_t control, double time, const Schedule& schedule) const {
+    const Entry& entry = list_[control];
+    const double scheduled = schedule.signal(entry.control).at(time).value;
+    return entry.by_wheel ? column_.angle(scheduled) : scheduled;
+}
+
+void DirectControls::move(std::size_t control, double target, double time, double duration, Schedule& schedule,
+                          Driver* driver) const {
+    const Entry& entry = list_[control];
+    const double now = schedule.signal(entry.control).at(time).value, change = scheduled(entry, target) - now;
+    if (change == 0 || entry.control == Control::gear || (driver && entry.control == Control::throttle)) {
+        return hold(control, target, time, schedule, driver);
+    }
+    SignalPiece<double> piece{.inverse_duration = 1 / duration, .y0 = now, .a = change};
+    if (entry.control == Control::rack) piece.a = 0, piece.b = 3 * change, piece.c = -2 * change;
+    schedule.follow(entry.control, time, piece);
+}
+
+void DirectControls::hold(std::size_t control, double target, double time, Schedule& schedule, Driver* driver) const {
+    const Entry& entry = list_[control];
+    const SignalPiece<double> constant{.y0 = scheduled(entry, target)};
+    if (driver && entry.control == Control::throttle) driver->ask_throttle(target);
+    schedule.follow(entry.control, time, constant);
+}
+
+}  // namespace hamilcar

@@ -1,0 +1,51 @@
+// Controls as numbers, one set after another: for a controller, a learner or another simulator in the place of tables over time
+// and of a driver.
+//
+//     targets at the end of an interval ─► DirectControls ─► Schedule ─► Input of every step
+//
+// A rack whose velocity jumped would hit the car with an impulse. So the steering moves from rest to rest within its interval, a
+// cubic 3 s^2 - 2 s^3 over the share s of it; pedals, torque and wind move evenly; a gear is changed at once.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hamilcar/description/vehicle.hpp"
+#include "hamilcar/driver/schedule.hpp"
+
+namespace hamilcar {
+
+class Driver;
+
+class DirectControls {
+public:
+    struct Entry {
+        std::string_view name, unit, meaning;
+        Control control;
+        double min, max;
+        bool by_wheel = false;  // the steering wheel's angle, in place of the rack's displacement
+    };
+
+    DirectControls() = default;
+    // What the vehicle listens to as the scenario drives it: steering and pedals, less what a driver does.
+    DirectControls(const VehicleDescription& vehicle, const ScenarioDescription& scenario, const Schedule& schedule);
+
+    const std::vector<Entry>& list() const { return list_; }
+    // Of a control by its place in the list, in its unit.
+    double value(std::size_t control, double time, const Schedule& schedule) const;
+    // From where it is at `time` to `target` within `duration` [s]. The driver, if there is one, is told the throttle. Without
+    // allocation.
+    void move(std::size_t control, double target, double time, double duration, Schedule& schedule,
+              Driver* driver) const;
+    // At `target` from `time` on.
+    void hold(std::size_t control, double target, double time, Schedule& schedule, Driver* driver) const;
+
+private:
+    double scheduled(const Entry& entry, double value) const;  // from the entry's unit to the schedule's
+
+    Column column_;
+    std::vector<Entry> list_;
+};
+
+}  // namespace hamilcar

@@ -1,0 +1,224 @@
+"""Many cars of one structure, stepped together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, Union
+
+import numpy as np
+
+from . import _core
+from ._documents import Scenario, Source, Vehicle, as_scenario, as_vehicle
+from ._simulation import Channels, ControlTargets
+
+Which = Union[None, int, Sequence[int], np.ndarray]
+
+
+class Batch:
+    """``count`` cars that share vehicle, scenario and step; each has its own controls, time and, of what ``vary`` names, its own
+    numbers. A car has the same bits here as in a Simulation of its own.
+
+    >>> batch = Batch("bmw_323i", 1024, speed=20.0, vary=["chassis.mass_kg"])
+    >>> batch.expand("chassis.mass_kg")[:] = np.random.uniform(1100, 1400, 1024)
+    >>> batch.reset()
+    >>> batch.step(20, steering_wheel=np.linspace(-1, 1, 1024))
+    >>> batch["chassis.yaw_rate"]
+
+    ``threads``: 0 for all of the machine. ``precision``: "double" or, half as accurate and twice as fast, "single". ``tilt_limit``:
+    a car ends when it leans further [rad]. The rest is as in Simulation.
+    """
+
+    def __init__(
+        self,
+        vehicle: Vehicle | Source = "bmw_323i",
+        count: int = 1,
+        scenario: Scenario | Source | None = None,
+        *,
+        vary: Iterable[str] = (),
+        threads: int = 0,
+        precision: str = "double",
+        tilt_limit: float = 0.0,
+        speed: float | None = None,
+        position: tuple[float, float] | None = None,
+        yaw: float | None = None,
+        friction: float | None = None,
+        step: float | None = None,
+        integrator: str | None = None,
+        powered: bool | None = None,
+    ):
+        if count < 1:
+            raise ValueError(f"count = {count}: expected at least one car")
+        if precision not in ("double", "single"):
+            raise ValueError(f"precision = {precision!r}: expected 'double' or 'single'")
+        self.vehicle = as_vehicle(vehicle)
+        self.scenario = as_scenario(
+            self.vehicle, scenario, speed=speed, position=position, yaw=yaw, friction=friction, step=step,
+            integrator=integrator, powered=powered,
+        )
+        self._varied = {name: np.full(count, float(self.vehicle[name])) for name in vary}
+        self._applied = {name: values.copy() for name, values in self._varied.items()}
+        self._fleet = _core.Fleet(
+            [self.vehicle._core] * count, self.scenario._core, [v._core for v in self._variants()], threads,
+            precision == "single", tilt_limit,
+        )
+        self._count = count
+        self._controls = ControlTargets(self._fleet.controls)
+        self._channels = Channels(self._fleet.channels)
+
+    def _variants(self) -> list[Vehicle]:
+        """Vehicles that differ in all that may be varied, so that the program takes it from each car."""
+        numbers = self.vehicle.numbers() if self._varied else {}
+        out = []
+        for share in (0.01, -0.01) if self._varied else ():
+            changes = {}
+            for name in self._varied:
+                value = self._varied[name][0]
+                other = value * (1 + share) if value != 0 else share
+                about = numbers.get(name)
+                if about is not None:
+                    if about.is_whole:
+                        raise ValueError(f"{name} counts something: cars of a batch share it")
+                    other = value if not about.min <= other <= about.max else other
+                changes[name] = other
+            out.append(self.vehicle.changed(changes))
+        return out
+
+    def __len__(self) -> int:
+        return self._count
+
+    @property
+    def engine(self) -> str:
+        """What the program was compiled for: avx512, avx2, sse2 or portable."""
+        return self._fleet.engine
+
+    @property
+    def step_size(self) -> float:
+        return self._fleet.step_size
+
+    @property
+    def control_names(self) -> list[str]:
+        """The columns of ``step`` and ``rollout``."""
+        return list(self._controls.number)
+
+    @property
+    def control_info(self) -> dict[str, tuple[str, str, float, float]]:
+        """Unit, meaning and range of every control."""
+        return dict(self._controls.entries)
+
+    @property
+    def channels(self) -> dict[str, tuple[str, str]]:
+        """Unit and meaning of everything that can be read, by its name."""
+        return dict(self._channels.entries)
+
+    def _cars(self, which: Which) -> list[int]:
+        if which is None:
+            return list(range(self._count))
+        chosen = np.atleast_1d(np.asarray(which))
+        if chosen.dtype == bool:
+            if chosen.shape != (self._count,):
+                raise ValueError(f"a mask of {chosen.shape}: expected one truth value for each of {self._count} cars")
+            return [int(i) for i in np.flatnonzero(chosen)]
+        if chosen.size and not np.issubdtype(chosen.dtype, np.integer):
+            raise TypeError("expected numbers of cars or a mask")
+        if chosen.ndim != 1 or np.any(chosen < 0) or np.any(chosen >= self._count):
+            raise IndexError(f"expected numbers of cars from 0 to {self._count - 1}")
+        return [int(i) for i in chosen]
+
+    def _targets(self, rows: tuple[int, ...], controls: Any, named: Mapping[str, Any]) -> np.ndarray:
+        shape = (*rows, self._count, len(self._controls))
+        if controls is not None:
+            if named:
+                raise TypeError("expected an array of all controls or single ones by their names, not both")
+            given = np.asarray(controls, dtype=np.float64)
+            if given.shape != shape:
+                raise ValueError(f"controls of shape {given.shape}: expected {shape}, columns {self.control_names}")
+            return np.ascontiguousarray(given)
+        out = np.full(shape, np.nan)
+        for name, values in named.items():
+            try:
+                out[..., self._controls.place(name)] = np.broadcast_to(np.asarray(values, dtype=np.float64), shape[:-1])
+            except ValueError as error:
+                raise ValueError(f"{name}: expected a number or an array of shape {shape[:-1]}") from error
+        return out
+
+    def step(self, steps: int = 1, controls: np.ndarray | None = None, **named: Any) -> None:
+        """Steps all cars on, the controls moving to their targets as in Simulation.step: an array ``(n, m)`` with columns
+        ``control_names``, NaN for one that is left alone, or single ones by name, a number or one for each car. Cars that have
+        ended stay where they are: see ``ended``."""
+        self._fleet.step(steps, self._targets((), controls, named))
+
+    def rollout(
+        self, controls: np.ndarray, steps: int = 1, record: Iterable[str] = ()
+    ) -> dict[str, np.ndarray]:
+        """Rows of controls ``(t, n, m)`` one after the other, ``steps`` steps each. Returns each channel of ``record`` after each row,
+        ``(t, n)``."""
+        given = np.asarray(controls, dtype=np.float64)
+        if given.ndim != 3:
+            raise ValueError(f"controls of shape {given.shape}: expected (t, {self._count}, {len(self._controls)})")
+        names = list(record)
+        out = self._fleet.rollout(
+            steps, self._targets((given.shape[0],), given, {}), self._channels.places(names)
+        )
+        return {name: out[:, :, i] for i, name in enumerate(names)}
+
+    def expand(self, name: str) -> np.ndarray:
+        """The number of every car, of one that ``vary`` names: an array ``(n,)`` to write to. A car takes it at its next reset."""
+        if name not in self._varied:
+            raise KeyError(f"{name!r} is not varied: name it in Batch(vary=[...])")
+        return self._varied[name]
+
+    def vehicle_of(self, car: int) -> Vehicle:
+        """The vehicle that a car has after its next reset."""
+        return self.vehicle.changed({name: float(values[car]) for name, values in self._varied.items()})
+
+    def reset(self, which: Which = None) -> None:
+        """Cars are again at their start, at time 0 of their own, with the numbers that ``expand`` holds; all of them, or those of
+        a mask or a list."""
+        changed: list[int] = []
+        same: list[int] = []
+        for car in self._cars(which):
+            differs = any(values[car] != self._applied[name][car] for name, values in self._varied.items())
+            (changed if differs else same).append(car)
+        self._fleet.restart(same)
+        if not changed:
+            return
+        self._fleet.replace(changed, [self.vehicle_of(car)._core for car in changed])
+        for name, values in self._varied.items():
+            self._applied[name][changed] = values[changed]
+
+    def __getitem__(self, channel: str) -> np.ndarray:
+        return self._fleet.values(self._channels.places([channel]))[:, 0]
+
+    def read(self, channels: Iterable[str]) -> np.ndarray:
+        """Channels of all cars, ``(n, c)``."""
+        return self._fleet.values(self._channels.places(channels))
+
+    @property
+    def states(self) -> np.ndarray:
+        """Everything that is integrated, ``(n, s)``; a copy. Of a car that has ended the last good state."""
+        return self._fleet.states()
+
+    @property
+    def times(self) -> np.ndarray:
+        """Of each car since its own start [s]."""
+        return self._fleet.times()
+
+    @property
+    def ended(self) -> np.ndarray:
+        """Which cars cannot go on until they are reset."""
+        return np.array(self._fleet.ended(), dtype=bool)
+
+    def why(self, car: int) -> str:
+        """Why a car has ended, or ""."""
+        return self._fleet.why(self._cars(car)[0])
+
+    def save(self, which: Which = None) -> list[_core.Snapshot]:
+        """Places in the runs of these cars, to come back to."""
+        return self._fleet.save(self._cars(which))
+
+    def restore(self, snapshots: Sequence[_core.Snapshot], which: Which = None) -> None:
+        """Cars go back to where they, or others with the same numbers, once were."""
+        self._fleet.restore(self._cars(which), list(snapshots))
+
+    def __repr__(self) -> str:
+        return f"<hamilcar.Batch of {self._count} {self.vehicle.name!r}>"
