@@ -29,12 +29,10 @@ Vec3<double> motor_vehicle_center(const Vehicle<double>& vehicle, const Velocity
 std::array<double, 2> horizontal_acceleration(const Model<double>& model, const State<double>& state,
                                               const Input<double>& input, const Velocity<double>& velocity,
                                               const Momenta<double>& momenta) {
-    const Vehicle<double>& vehicle = model.vehicle;
+    if (model.vehicle.trailers.empty()) return horizontal_acceleration_alone(model, velocity, momenta);
     const Mat3<double>& R = velocity.R_GC;
-    const Vec3<double> a = vehicle.trailers.empty()
-                               ? Vec3<double>(R * Vec3<double>(momenta.external.head<3>()) / vehicle.total_mass)
-                               : Vec3<double>(R * acceleration_at(model, state, input, velocity, momenta,
-                                                                  motor_vehicle_center(vehicle, velocity)));
+    const Vec3<double> a =
+        R * acceleration_at(model, state, input, velocity, momenta, motor_vehicle_center(model.vehicle, velocity));
     const double length = std::sqrt(R(0, 0) * R(0, 0) + R(1, 0) * R(1, 0));
     const double c = R(0, 0) / length, s = R(1, 0) / length;  // of the heading
     return {c * a[0] + s * a[1], c * a[1] - s * a[0]};

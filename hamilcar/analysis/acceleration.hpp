@@ -22,6 +22,17 @@ std::array<double, 2> horizontal_acceleration(const Model<double>& model, const 
                                               const Input<double>& input, const Velocity<double>& velocity,
                                               const Momenta<double>& momenta);
 
+// The same of a vehicle without trailers, which moves as all external forces say.
+template <class T, class SomeVelocity>
+std::array<T, 2> horizontal_acceleration_alone(const Model<T>& model, const SomeVelocity& velocity,
+                                               const Momenta<T>& momenta) {
+    const Mat3<T>& R = velocity.R_GC;
+    const Vec3<T> a = R * Vec3<T>(momenta.external.template head<3>()) / model.vehicle.total_mass;
+    const T length = sqrt(R(0, 0) * R(0, 0) + R(1, 0) * R(1, 0));
+    const T c = R(0, 0) / length, s = R(1, 0) / length;  // of the heading
+    return {c * a[0] + s * a[1], c * a[1] - s * a[0]};
+}
+
 // The state that a short time leads to at the present rates, and the input then [s].
 State<double> state_after(const Model<double>& model, const State<double>& state, const State<double>& rate,
                           double time);

@@ -156,6 +156,7 @@ Batch::CarDriver Batch::driver_of(const Simulation& car) {
 // Cars whose hardpoints differ so much that their linkages need another elimination order get a separate program.
 void Batch::assign_slots(const ChunkSettings& settings, Precision precision,
                          const std::vector<const Simulation*>& variants) {
+    precision_ = precision;
     std::map<std::vector<int>, std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < cars_.size(); ++i) groups[pivots(cars_[i]->model().vehicle)].push_back(i);
     const auto lanes = static_cast<std::size_t>(engine_->lanes(precision));
@@ -166,7 +167,10 @@ void Batch::assign_slots(const ChunkSettings& settings, Precision precision,
         for (const Simulation* variant : variants) {
             if (pivots(variant->model().vehicle) == order) models.push_back(&variant->model());
         }
-        const auto program = rhs_program(models, *engine_, precision);
+        Group& made = groups_.emplace_back();
+        made.common = common_car(models, made.example);
+        made.program = rhs_program(models, *engine_, precision);
+        const auto& program = made.program;
         for (std::size_t first = 0; first < group.size(); first += lanes) {
             std::vector<LaneCar> row;
             auto& own = cars_of_.emplace_back();
@@ -177,7 +181,7 @@ void Batch::assign_slots(const ChunkSettings& settings, Precision precision,
                 own.push_back(car);
             }
             chunks_.push_back(make_chunk(program, row, settings));
-            programs_.push_back(program);
+            group_of_.push_back(groups_.size() - 1);
         }
     }
 }
@@ -215,24 +219,50 @@ void Batch::decide(std::size_t car) {
     chunk_of(car).set_schedule(lane_of(car), one.schedule);
 }
 
+Batch::Sampler Batch::sampler(const TracedReaders& readers) const {
+    Sampler out{.of_group = {}, .count = readers.size()};
+    for (const Group& group : groups_) {
+        out.of_group.push_back(sample_program(group.example, group.common, *engine_, precision_, readers));
+    }
+    return out;
+}
+
+void Batch::sample(const Sampler& sampler, double* to) {
+    if (sampler.count == 0) return;
+    pool_.run(static_cast<int>(chunks_.size()), [&](int i) {
+        const auto chunk = static_cast<std::size_t>(i);
+        const std::vector<double> numbers = chunks_[chunk]->sample(*sampler.of_group[group_of_[chunk]], sampler.count);
+        const std::size_t lanes = numbers.size() / sampler.count;
+        for (const std::size_t car : cars_of_[chunk]) {
+            if (end(car).reason != EndReason::none) continue;
+            const auto lane = static_cast<std::size_t>(lane_of(car));
+            for (std::size_t k = 0; k < sampler.count; ++k) to[car * sampler.count + k] = numbers[k * lanes + lane];
+        }
+    });
+}
+
 void Batch::restart(std::size_t car) {
     const Simulation& from = *cars_[car];
     drivers_[car] = driver_of(from);
     chunk_of(car).set_car(lane_of(car), {&from.model(), &from.state(), &drivers_[car].schedule});
 }
 
-void Batch::replace(std::size_t car, const Simulation& by) {
-    if (by.steps_taken() != 0) throw std::invalid_argument("the car has already been advanced");
+std::string Batch::obstacle_to_replace(std::size_t car, const Simulation& by) const {
+    if (by.steps_taken() != 0) return "it has already been advanced";
     std::string difference = topology_difference(*cars_[car], by);
     if (difference.empty() && pivots(cars_[car]->model().vehicle) != pivots(by.model().vehicle)) {
         difference = "the order in which a linkage's equations are solved";
     }
-    if (difference.empty() && differs_in_constant(*programs_[slots_[car].chunk], cars_[car]->model(), by.model())) {
+    const RhsProgram& program = *groups_[group_of_[slots_[car].chunk]].program;
+    if (difference.empty() && differs_in_constant(program, cars_[car]->model(), by.model())) {
         difference = "a number that all cars of the batch share: it was made without a variant for it";
     }
-    if (!difference.empty()) {
-        throw std::invalid_argument(
-            fmt::format("car {} cannot be replaced by this one: they differ in {}", car + 1, difference));
+    return difference.empty() ? difference : "they differ in " + difference;
+}
+
+void Batch::replace(std::size_t car, const Simulation& by) {
+    if (const std::string obstacle = obstacle_to_replace(car, by); !obstacle.empty()) {
+        throw std::invalid_argument(fmt::format("car {} cannot be replaced by this one: {}", car + 1, obstacle));
     }
     cars_[car] = &by;
     restart(car);
@@ -249,7 +279,9 @@ void Batch::save(std::size_t car, Snapshot& to) const {
 }
 
 void Batch::restore(std::size_t car, const Snapshot& from) {
+    const bool driver_was_removed = !drivers_[car].driver && cars_[car]->driver();
     drivers_[car] = driver_of(*cars_[car]);
+    if (driver_was_removed) drivers_[car].driver.reset();
     CarDriver& own = drivers_[car];
     own.schedule.restore(from.inputs);
     if (own.driver) own.driver->restore(from.driver);

@@ -12,6 +12,7 @@
 
 #include "hamilcar/batch/worker_pool.hpp"
 #include "hamilcar/engine/chunk.hpp"
+#include "hamilcar/engine/traced_sample.hpp"
 #include "hamilcar/run/simulation.hpp"
 
 namespace hamilcar {
@@ -57,12 +58,12 @@ public:
         const auto& stop = drivers_[car].stop;
         return stop ? CarEnd{EndReason::driver_ended, stop->time} : chunk_of(car).end(lane_of(car));
     }
-    // Replaces a car's inputs from now on and removes its driver. The schedule must outlive the batch.
+    // Replaces a car's inputs from now on and removes its driver.
     void set_schedule(std::size_t car, const Schedule& schedule) {
         drivers_[car].driver.reset();
-        chunk_of(car).set_schedule(lane_of(car), schedule);
+        drivers_[car].schedule = schedule;
+        chunk_of(car).set_schedule(lane_of(car), drivers_[car].schedule);
     }
-    void set_schedule(std::size_t, Schedule&&) = delete;
     // Calls change(schedule, driver or null) with what a car is driven by, and goes on with that. No other call at the same time but
     // of the same for a car of another chunk.
     template <class Change>
@@ -80,11 +81,22 @@ public:
     const Schedule& schedule(std::size_t car) const { return drivers_[car].schedule; }
     const Simulation& simulation(std::size_t car) const { return *cars_[car]; }  // that the car started as
 
+    // What to read off every car, compiled for the batch.
+    struct Sampler {
+        std::vector<std::shared_ptr<const program::Executable>> of_group;
+        std::size_t count = 0;
+    };
+    Sampler sampler(const TracedReaders& readers) const;
+    // Number i of car c goes to [c * count + i]. Those of cars that have ended are left alone.
+    void sample(const Sampler& sampler, double* to);
+
     // A car is again at its start, at time 0 of its own, whatever it has done and whether it has ended.
     void restart(std::size_t car);
     // Another car in the place of that one, at its start; it must outlive the batch. Throws std::invalid_argument for one that
     // differs in more than the batch was made for.
     void replace(std::size_t car, const Simulation& by);
+    // Why it cannot, or nothing.
+    std::string obstacle_to_replace(std::size_t car, const Simulation& by) const;
     // A place in a car's run to come back to, in this batch or in a Simulation of the same car, and from there to here. The car must run.
     void save(std::size_t car, Snapshot& to) const;
     void restore(std::size_t car, const Snapshot& from);
@@ -120,7 +132,15 @@ private:
     std::vector<std::unique_ptr<Chunk>> chunks_;
     std::vector<std::vector<std::size_t>> cars_of_;  // of a chunk
     std::vector<Slot> slots_;
-    std::vector<std::shared_ptr<const RhsProgram>> programs_;  // of the chunks
+    // Cars whose linkages are eliminated in one order, and the program of all of them.
+    struct Group {
+        Model<double> example;
+        CommonCar common;
+        std::shared_ptr<const RhsProgram> program;
+    };
+    std::vector<Group> groups_;
+    std::vector<std::size_t> group_of_;  // of a chunk
+    Precision precision_ = Precision::double_precision;
     std::vector<CarDriver> drivers_;
     double step_ = 0;      // [s]
     long step_count_ = 0;  // done by all chunks

@@ -36,7 +36,7 @@ std::array<double, 2> gears(const VehicleDescription& vehicle) {
 
 DirectControls::DirectControls(const VehicleDescription& vehicle, const ScenarioDescription& scenario,
                                const Schedule& schedule)
-    : column_(vehicle.steering) {
+    : column_(vehicle.steering), driver_gives_throttle_(schedule.signal(Control::throttle).follows()) {
     const SteeringDescription& steering = vehicle.steering;
     const double stop = steering.rack_travel > 0 ? steering.rack_travel : unlimited;
     const DriverDescription& driver = scenario.driver;
@@ -72,29 +72,36 @@ double DirectControls::scheduled(const Entry& entry, double value) const {
     return entry.by_wheel ? column_.rack(value).displacement : value;
 }
 
+bool DirectControls::left_to(Driver* driver, const Entry& entry, double target) const {
+    if (!driver || entry.control != Control::throttle) return false;
+    driver->ask_throttle(target);
+    return driver_gives_throttle_;
+}
+
 double DirectControls::value(std::size_t control, double time, const Schedule& schedule) const {
     const Entry& entry = list_[control];
     const double scheduled = schedule.signal(entry.control).at(time).value;
     return entry.by_wheel ? column_.angle(scheduled) : scheduled;
 }
 
-void DirectControls::move(std::size_t control, double target, double time, double duration, Schedule& schedule,
+void DirectControls::move(std::size_t control, double target, const Interval& interval, Schedule& schedule,
                           Driver* driver) const {
     const Entry& entry = list_[control];
-    const double now = schedule.signal(entry.control).at(time).value, change = scheduled(entry, target) - now;
-    if (change == 0 || entry.control == Control::gear || (driver && entry.control == Control::throttle)) {
-        return hold(control, target, time, schedule, driver);
-    }
+    const double now = schedule.signal(entry.control).at(interval.begin).value, change = scheduled(entry, target) - now;
+    if (left_to(driver, entry, target)) return;
+    if (change == 0 || entry.control == Control::gear) return hold(control, target, interval.begin, schedule, driver);
+    const double duration = static_cast<double>(interval.steps) * interval.step;
     SignalPiece<double> piece{.inverse_duration = 1 / duration, .y0 = now, .a = change};
-    if (entry.control == Control::rack) piece.a = 0, piece.b = 3 * change, piece.c = -2 * change;
-    schedule.follow(entry.control, time, piece);
+    if (entry.control == Control::rack && interval.steps >= fewest_steps_from_rest) {
+        piece.a = 0, piece.b = 3 * change, piece.c = -2 * change;
+    }
+    schedule.follow(entry.control, interval.begin, piece);
 }
 
 void DirectControls::hold(std::size_t control, double target, double time, Schedule& schedule, Driver* driver) const {
     const Entry& entry = list_[control];
-    const SignalPiece<double> constant{.y0 = scheduled(entry, target)};
-    if (driver && entry.control == Control::throttle) driver->ask_throttle(target);
-    schedule.follow(entry.control, time, constant);
+    if (left_to(driver, entry, target)) return;
+    schedule.follow(entry.control, time, SignalPiece<double>{.y0 = scheduled(entry, target)});
 }
 
 }  // namespace hamilcar

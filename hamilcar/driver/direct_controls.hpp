@@ -4,7 +4,8 @@
 //     targets at the end of an interval ─► DirectControls ─► Schedule ─► Input of every step
 //
 // A rack whose velocity jumped would hit the car with an impulse. So the steering moves from rest to rest within its interval, a
-// cubic 3 s^2 - 2 s^3 over the share s of it; pedals, torque and wind move evenly; a gear is changed at once.
+// cubic 3 s^2 - 2 s^3 over the share s of it. In an interval of very few steps it moves evenly: a method that looks once a step,
+// at its beginning, would never see it move. Pedals, torque and wind move evenly; a gear is changed at once.
 #pragma once
 
 #include <string>
@@ -28,24 +29,34 @@ public:
     };
 
     DirectControls() = default;
-    // What the vehicle listens to as the scenario drives it: steering and pedals, less what a driver does.
+    // What the vehicle listens to as the scenario drives it: steering and pedals, less what a driver does. `schedule`: at the start,
+    // after the driver's first decision.
     DirectControls(const VehicleDescription& vehicle, const ScenarioDescription& scenario, const Schedule& schedule);
 
     const std::vector<Entry>& list() const { return list_; }
     // Of a control by its place in the list, in its unit.
     double value(std::size_t control, double time, const Schedule& schedule) const;
-    // From where it is at `time` to `target` within `duration` [s]. The driver, if there is one, is told the throttle. Without
-    // allocation.
-    void move(std::size_t control, double target, double time, double duration, Schedule& schedule,
-              Driver* driver) const;
+    // From some time on [s], so many steps of this size [s].
+    struct Interval {
+        double begin;
+        long steps;
+        double step;
+    };
+    static constexpr long fewest_steps_from_rest = 5;
+    // From where it is to `target` at the interval's end. A driver who shifts is asked for the throttle; one who closes it while gears
+    // change moves the pedal, too. Without allocation.
+    void move(std::size_t control, double target, const Interval& interval, Schedule& schedule, Driver* driver) const;
     // At `target` from `time` on.
     void hold(std::size_t control, double target, double time, Schedule& schedule, Driver* driver) const;
 
 private:
     double scheduled(const Entry& entry, double value) const;  // from the entry's unit to the schedule's
+    // Asks the driver for the throttle; whether it is the driver's to give.
+    bool left_to(Driver* driver, const Entry& entry, double target) const;
 
     Column column_;
     std::vector<Entry> list_;
+    bool driver_gives_throttle_ = false;
 };
 
 }  // namespace hamilcar

@@ -83,6 +83,14 @@ public:
         }
     }
 
+    std::vector<double> sample(const program::Executable& program, std::size_t count) override {
+        const FlushDenormals flush;
+        sample_ = Numbers(count * static_cast<std::size_t>(lanes_));
+        set_times();
+        rhs_.run(program, inputs_at(0), now_, sample_.data());
+        return {sample_.values.begin(), sample_.values.end()};
+    }
+
 private:
     using Numbers = LaneNumbers<E>;
     struct LaneState {
@@ -119,6 +127,12 @@ private:
         clocks_[static_cast<std::size_t>(lane)] = {step_count_, 0};
     }
 
+    void set_times() {
+        for (int i = 0; i < lanes_; ++i) times_[static_cast<std::size_t>(i)] = time(i);
+    }
+    // So far ahead of `times_` [s].
+    typename LaneRhs<E>::Input inputs_at(double ahead) { return {driver_(times_.data(), ahead), times_.data(), ahead}; }
+
     bool remembers() const {
         return settings_.method.family == MethodFamily::adams_bashforth ||
                settings_.method.family == MethodFamily::adams_bashforth_moulton;
@@ -127,10 +141,8 @@ private:
     bool is_starting(const Clock& clock) const { return remembers() && clock.remembered + 1 < settings_.method.order; }
 
     void advance_once() {
-        for (int i = 0; i < lanes_; ++i) times_[static_cast<std::size_t>(i)] = time(i);
-        const auto input_at = [this](double ahead) {
-            return typename LaneRhs<E>::Input{driver_(times_.data(), ahead), times_.data(), ahead};
-        };
+        set_times();
+        const auto input_at = [this](double ahead) { return inputs_at(ahead); };
         const bool starting = std::ranges::any_of(clocks_, [&](const Clock& clock) { return is_starting(clock); });
         if (remembers()) integrator_.assume_past();
         integrate(rhs_, integrator_, input_at, 0, now_, next_, first_, further_);
@@ -238,6 +250,7 @@ private:
     LaneRhs<E> rhs_;
     typename LaneRhs<E>::Report first_, further_;
     std::size_t size_;
+    Numbers sample_;
     Numbers now_, next_;  // states: the present one, and the previous or next one
     Integrator<Numbers> integrator_;
     LaneDriver<E> driver_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "hamilcar/driver/schedule.hpp"
 #include "hamilcar/engine/rhs_program.hpp"
@@ -51,6 +52,8 @@ public:
     // Puts a car into a lane, at its start or where its past says. The numbers of its model that are no parameters of the program
     // are those that the program was made with.
     virtual void set_car(int lane, const LaneCar& car, const LanePast* past = nullptr) = 0;
+    // Runs a program of the same cars (engine/traced_sample.hpp) on their states: number i of lane l is at [i * lanes + l].
+    virtual std::vector<double> sample(const program::Executable& program, std::size_t count) = 0;
     // Of a car that runs.
     virtual void save_past(int lane, LanePast& to) const = 0;
 };

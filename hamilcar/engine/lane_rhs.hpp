@@ -52,15 +52,20 @@ public:
     }
 
     void evaluate(const Input& input, const Numbers& state, Numbers& rate, Report& report) const {
+        run(*program_->executable, input, state, rate.data(), report.numbers.data());
+    }
+    // Another program of the same cars.
+    void run(const program::Executable& executable, const Input& input, const Numbers& state, E* results,
+             E* report = nullptr) const {
         const LaneSurfaces ground{surfaces_.data(), input.times, input.ahead};
-        program::Frame frame{.functions = rhs_functions(program_->executable->precision()), .context = &ground};
+        program::Frame frame{.functions = rhs_functions(executable.precision()), .context = &ground};
         const auto read = [](const Numbers& numbers) { return const_cast<E*>(numbers.data()); };
         frame.arrays[rhs_state] = read(state);
         frame.arrays[rhs_input] = read(input.numbers);
         frame.arrays[rhs_parameters] = read(parameters_);
-        frame.arrays[rhs_rate] = rate.data();
-        frame.arrays[rhs_report] = report.numbers.data();
-        program_->run(frame);
+        frame.arrays[rhs_rate] = results;
+        frame.arrays[rhs_report] = report;
+        executable.run(frame);
     }
     static void include_health(const Report& further, Report& worst) {
         for (std::size_t i = 0; i < worst.lanes; ++i) {

@@ -112,20 +112,10 @@ std::shared_ptr<const RhsProgram> rhs_program(const Model<double>& model, const 
 
 std::shared_ptr<const RhsProgram> rhs_program(std::span<const Model<double>* const> cars, const Engine& engine,
                                               Precision precision) {
+    Model<double> example;
+    const CommonCar common = common_car(cars, example);
     ModelNumbers all = numbers_of(*cars[0]);
-    CommonCar common{std::vector<bool>(all.numbers.size()), {}};
-    Model<double> example = *cars[0];
-    for (const Model<double>* car : cars) {
-        const ModelNumbers own = numbers_of(*car);
-        for (std::size_t i = 0; i < own.numbers.size(); ++i) {
-            const bool same =
-                std::bit_cast<std::uint64_t>(own.numbers[i]) == std::bit_cast<std::uint64_t>(all.numbers[i]);
-            common.differs[i] = common.differs[i] || !same;
-        }
-        for (std::size_t i = 0; i < own.shape.size(); ++i) all.shape[i] = std::max(all.shape[i], own.shape[i]);
-        if (car->surface) example.surface = car->surface;
-    }
-    common.shape = all.shape;
+    all.shape = common.shape;
     return cache().find_or_make(key_of(all, common, engine, precision, true),
                                 [&] { return make_program(example, common, engine, precision, true); });
 }

@@ -3,6 +3,7 @@
 
 #include "hamilcar/block/integration.hpp"
 #include "hamilcar/engine/rhs_trace.hpp"
+#include "hamilcar/engine/traced_sample.hpp"
 #include "hamilcar/road/traced_ground.hpp"
 
 namespace hamilcar {
@@ -25,7 +26,7 @@ public:
     int whole(int own) { return common_.shape.empty() ? own : common_.shape[shape_seen_++]; }
 
     void record() {
-        const Model<T> model = traced_model();
+        const Model<T> model = traced_model(Pairs::yes);
         State<T> state, rate;
         for (int i = 0; i < size(); ++i) state.values[static_cast<std::size_t>(i)] = input(rhs_state, i);
         const Input<T> driver = traced_input();
@@ -46,15 +47,27 @@ public:
         if (model.constraints == ConstraintMode::exact) report_correction(model, evaluation);
     }
 
+    // What `readers` find, in the array of the rates; suspensions one by one, whose results readers know.
+    void record(const TracedReaders& readers) {
+        const Model<T> model = traced_model(Pairs::no);
+        State<T> state;
+        for (int i = 0; i < size(); ++i) state.values[static_cast<std::size_t>(i)] = input(rhs_state, i);
+        TracedSample sample{model, state, traced_input(), {}, {}};
+        sample.velocity = velocity_block_of<S>(model, state, sample.input);
+        sample.momenta = momenta_block_of(model, state, sample.input, sample.velocity);
+        for (std::size_t i = 0; i < readers.size(); ++i) output(rhs_rate, static_cast<int>(i), readers[i](sample));
+    }
+
 private:
+    enum class Pairs { no, yes };
     int size() const { return from_.vehicle.state_size; }
     T input(int array, int index) { return T::of(to_.graph.input(array, index)); }
     void output(int array, int index, const T& number) { to_.graph.output(array, index, number.id()); }
 
-    Model<T> traced_model() {
+    Model<T> traced_model(Pairs pairs) {
         Model<T> model;
         transcribe_model(model, from_, *this);
-        pair_up(model.vehicle);
+        if (pairs == Pairs::yes) pair_up(model.vehicle);
         model.surface = from_.surface;
         model.chart = from_.chart;
         model.constraints = from_.constraints;

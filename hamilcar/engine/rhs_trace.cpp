@@ -1,6 +1,10 @@
 #include "hamilcar/engine/rhs_trace.hpp"
 
+#include <algorithm>
+#include <bit>
+
 #include "hamilcar/engine/rhs_recorder.hpp"
+#include "hamilcar/program/pass.hpp"
 
 namespace hamilcar {
 
@@ -31,10 +35,41 @@ ModelNumbers numbers_of(const Model<double>& model) {
     return out;
 }
 
+CommonCar common_car(std::span<const Model<double>* const> cars, Model<double>& example) {
+    ModelNumbers all = numbers_of(*cars[0]);
+    CommonCar common{std::vector<bool>(all.numbers.size()), {}};
+    example = *cars[0];
+    for (const Model<double>* car : cars) {
+        const ModelNumbers own = numbers_of(*car);
+        for (std::size_t i = 0; i < own.numbers.size(); ++i) {
+            const bool same =
+                std::bit_cast<std::uint64_t>(own.numbers[i]) == std::bit_cast<std::uint64_t>(all.numbers[i]);
+            common.differs[i] = common.differs[i] || !same;
+        }
+        for (std::size_t i = 0; i < own.shape.size(); ++i) all.shape[i] = std::max(all.shape[i], own.shape[i]);
+        if (car->surface) example.surface = car->surface;
+    }
+    common.shape = all.shape;
+    return common;
+}
+
 RhsTrace trace_rhs(const Model<double>& model, const CommonCar& common, program::Precision precision) {
     RhsTrace out{.graph = program::Graph(precision), .correction_indices = {}, .parameters = {}};
     RhsRecorder(model, common, out).record();
     return out;
+}
+
+std::shared_ptr<const program::Executable> sample_program(const Model<double>& example, const CommonCar& common,
+                                                          const Engine& engine, Precision precision,
+                                                          const TracedReaders& readers) {
+    RhsTrace trace{.graph = program::Graph(precision), .correction_indices = {}, .parameters = {}};
+    RhsRecorder(example, common, trace).record(readers);
+    const program::Graph graph = program::in_single_numbers(program::without_dead_code(trace.graph));
+    try {
+        return engine.compile(graph, true);
+    } catch (const std::runtime_error&) {  // no more executable memory: slower, with the same bits
+        return program::backends().back().compile(graph, true);
+    }
 }
 
 }  // namespace hamilcar

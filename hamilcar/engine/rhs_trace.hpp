@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "hamilcar/block/model.hpp"
@@ -67,6 +68,9 @@ struct CommonCar {
     std::vector<bool> differs;  // for each number; empty for a single car
     std::vector<int> shape;     // the largest of the cars' counts
 };
+
+// Of cars of one structure; `example` becomes a model with all that any of them has.
+CommonCar common_car(std::span<const Model<double>* const> cars, Model<double>& example);
 
 // Numbers that differ between the cars become inputs, all others constants.
 RhsTrace trace_rhs(const Model<double>& model, const CommonCar& common, program::Precision precision);

@@ -1,5 +1,7 @@
 #include "hamilcar/io/key_list.hpp"
 
+#include <algorithm>
+
 #include "hamilcar/io/key_unit.hpp"
 
 namespace hamilcar::io {
@@ -59,6 +61,38 @@ std::vector<NamedNumber> numbers_in(const Node& document, const TableRecord& for
     NumberList list;
     list.add_table(document, "", format);
     return std::move(list.out);
+}
+
+namespace {
+
+void drop_overridden(Node& node, const TableRecord& format) {
+    const ChosenKeys chosen = chosen_keys(node, format);
+    std::vector<std::string> overridden;
+    for (const Node* entry : chosen.unread) {
+        if (!chosen.table.find(entry->key)) overridden.push_back(entry->key);
+    }
+    auto& entries = std::get<TableValue>(node.value).entries;
+    std::erase_if(entries, [&](const Node& entry) { return std::ranges::count(overridden, entry.key) > 0; });
+    const KeyRecord* any = chosen.table.find(any_name);
+    for (Node& entry : entries) {
+        const KeyRecord* key = chosen.table.find(entry.key);
+        if (!key) key = any;
+        if (!key || key->below.empty()) continue;
+        if (std::holds_alternative<TableValue>(entry.value)) drop_overridden(entry, key->below[0]);
+        if (auto* list = std::get_if<ListValue>(&entry.value)) {
+            for (Node& item : list->items) {
+                if (std::holds_alternative<TableValue>(item.value)) drop_overridden(item, key->below[0]);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+Node without_overridden(const Node& document, const TableRecord& format) {
+    Node out = document;
+    drop_overridden(out, format);
+    return out;
 }
 
 }  // namespace hamilcar::io

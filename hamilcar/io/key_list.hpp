@@ -23,4 +23,7 @@ struct NamedNumber {
 // the same table. Items of lists go by their names, else by their numbers.
 std::vector<NamedNumber> numbers_in(const Node& document, const TableRecord& format);
 
+// The document less the keys that others in it override, saying the same in another way: a file with what is left means the same.
+Node without_overridden(const Node& document, const TableRecord& format);
+
 }  // namespace hamilcar::io

@@ -60,7 +60,7 @@ std::string NetcdfReader::bytes(std::uint64_t begin, std::uint64_t count) {
     file_.clear();
     file_.seekg(static_cast<std::streamoff>(begin));
     file_.read(out.data(), static_cast<std::streamsize>(count));
-    if (static_cast<std::uint64_t>(file_.gcount()) + netcdf_padding < count) {
+    if (static_cast<std::uint64_t>(file_.gcount()) < count) {
         throw Error(ExitCode::input_output, path_ + ": cannot read: it was cut off while it was read");
     }
     return out;
@@ -128,11 +128,13 @@ NetcdfOutput::NetcdfOutput(const std::string& path, NetcdfHeader header) : path_
 }
 
 void NetcdfOutput::write(std::string_view bytes, std::string_view action) {
+    if (!file_) throw Error(ExitCode::input_output, fmt::format("{}: cannot {}: it was closed", path_, action));
     if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) fail(action);
 }
 
 // First the records, then their number: a program that is killed in between leaves the file as it was.
 void NetcdfOutput::flush(std::uint64_t records, std::string_view action) {
+    if (!file_) throw Error(ExitCode::input_output, fmt::format("{}: cannot {}: it was closed", path_, action));
     if (std::fflush(file_.get()) != 0) fail(action);
     std::string count;
     append_big_endian(count, static_cast<std::uint32_t>(records));
@@ -149,6 +151,20 @@ void NetcdfOutput::fail(std::string_view action) {
     const int cause = errno;
     file_.reset();
     throw Error(ExitCode::input_output, fmt::format("{}: cannot {}: {}", path_, action, std::strerror(cause)));
+}
+
+void write_netcdf(const std::string& path, const NetcdfHeader& header, std::string_view bytes) {
+    const std::string beside = create_beside(path);
+    try {
+        NetcdfOutput file(beside, header);
+        file.write(bytes, "write");
+        file.close();
+    } catch (const Error&) {
+        std::error_code gone_already;
+        std::filesystem::remove(beside, gone_already);
+        throw;
+    }
+    put_in_place(beside, path);
 }
 
 }  // namespace hamilcar::io

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hamilcar/io/netcdf_header.hpp"
@@ -58,5 +59,8 @@ private:
     std::string path_;
     std::unique_ptr<std::FILE, Close> file_;
 };
+
+// A file without records, complete or not at all: `bytes` are the numbers of its variables, in their order, each padded.
+void write_netcdf(const std::string& path, const NetcdfHeader& header, std::string_view bytes);
 
 }  // namespace hamilcar::io

@@ -148,6 +148,7 @@ private:
             variable.dimensions.push_back(dimension);
             const std::uint64_t length = header_.dimensions[dimension].length;
             if (length == 0) {
+                if (i != 0) fail("its header is damaged: records are a variable's first dimension");
                 variable.over_records = true;
             } else {
                 values *= static_cast<double>(length);
@@ -177,7 +178,8 @@ private:
         const auto record = static_cast<double>(header_.record_size), records = static_cast<double>(header_.records);
         const double held = static_cast<double>(fixed_) + records * record;
         const double end = static_cast<double>(end_of_first_record_) + std::max(records - 1, 0.0) * record;
-        if (std::max({held, end, static_cast<double>(end_of_fixed_)}) > static_cast<double>(size_ + netcdf_padding)) {
+        const auto size = static_cast<double>(size_);
+        if (held > size + netcdf_padding || std::max(end, static_cast<double>(end_of_fixed_)) > size) {
             fail(
                 fmt::format("its header tells of {} records, more than the file of {} bytes holds: it is cut off or "
                             "damaged",

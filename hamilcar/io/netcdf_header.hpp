@@ -77,7 +77,7 @@ struct NetcdfHeader {
     std::vector<std::uint64_t> shape(const NetcdfVariable& variable) const;
 };
 
-// All that the header says fits into the file: every value that it tells of is there but for three bytes of padding. Throws
+// All that the header says fits into the file: every value that it tells of is there; padding may lack. Throws
 // Error: input_output for what cannot be read, bad_file for what is no netCDF classic file (its first bytes are "CDF" and 1, 2
 // or 5; a netCDF-4 file is HDF5, which hamilcar neither reads nor writes), or one whose header is damaged or
 // asks for more data than the file has.

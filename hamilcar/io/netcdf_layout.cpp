@@ -83,6 +83,10 @@ std::string lay_out_netcdf(NetcdfHeader& header, const std::string& path) {
     header.records = header.record_size = 0;
     for (NetcdfVariable& variable : header.variables) {
         expect_name(variable.name, path);
+        if (&header.variables[*header.variable(variable.name)] != &variable) {
+            throw Error(ExitCode::input_output,
+                        fmt::format("{}: cannot define {}: another has this name", path, variable.name));
+        }
         variable.values = 1, variable.over_records = false;
         for (const std::size_t dimension : variable.dimensions) {
             const std::uint64_t length = header.dimensions[dimension].length;

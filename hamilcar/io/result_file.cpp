@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "hamilcar/base/assert.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/json_text.hpp"
 #include "hamilcar/io/netcdf_file.hpp"
@@ -64,6 +65,7 @@ std::vector<RoadTile> read_tiles(const std::string& path) {
     const std::vector<double> heights =
         numbers(file, "height", NetcdfType::single_number, {count, tile_nodes, tile_nodes});
     std::vector<RoadTile> tiles(count);
+    HAMILCAR_ASSERT(index.size() == 2 * count && heights.size() == heights_of_tile * count);
     for (std::size_t i = 0; i < count; ++i) {
         tiles[i] = {static_cast<int>(index[2 * i]), static_cast<int>(index[2 * i + 1]),
                     std::vector<float>(heights_of_tile)};
@@ -119,14 +121,12 @@ void write_tiles(const std::string& path, const std::vector<RoadTile>& tiles) {
          .attributes = {
              {"units", "m"},
              {"long_name", "road above z = 0; tile (ix, iy) begins at x = 16 ix, y = 16 iy, nodes every 0.25 m"}}}};
-    NetcdfOutput file(path, header);
     std::string bytes;
     for (const RoadTile& tile : tiles) append_big_endian(bytes, tile.ix), append_big_endian(bytes, tile.iy);
     for (const RoadTile& tile : tiles) {
         for (const float height : tile.heights) append_big_endian(bytes, height);
     }
-    file.write(bytes, "write the tiles");
-    file.close();
+    write_netcdf(path, header, bytes);
 }
 
 }  // namespace hamilcar::io

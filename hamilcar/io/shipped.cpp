@@ -25,11 +25,12 @@ void set_shipped_folder(const std::string& folder) {
 }
 
 std::optional<std::string> find_shipped(const std::string& name) {
-    const std::filesystem::path beside =
-        chosen_folder().empty() ? beside_program() : std::filesystem::path(chosen_folder());
+    const std::string& chosen = chosen_folder();
+    const std::filesystem::path first = chosen.empty() ? "." : chosen;  // what lies about is no part of a package
+    const std::filesystem::path beside = chosen.empty() ? beside_program() : first;
     for (const std::filesystem::path& folder :
-         {std::filesystem::path("."), beside, std::filesystem::path(HAMILCAR_SOURCE_DATA),
-          std::filesystem::path(HAMILCAR_INSTALLED_DATA)}) {
+         {first, beside, std::filesystem::path(HAMILCAR_SOURCE_DATA), std::filesystem::path(HAMILCAR_INSTALLED_DATA)}) {
+        if (folder.empty()) continue;
         std::string path = (folder / name).lexically_normal();
         std::error_code unreadable;
         if (std::filesystem::exists(path, unreadable)) return path;

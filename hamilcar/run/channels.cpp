@@ -14,6 +14,7 @@
 #include "hamilcar/run/motion_channels.hpp"
 #include "hamilcar/run/powertrain_channels.hpp"
 #include "hamilcar/run/suspension_channels.hpp"
+#include "hamilcar/scalar/elementary.hpp"
 #include "hamilcar/steering/column.hpp"
 
 namespace hamilcar {
@@ -23,16 +24,20 @@ namespace {
 using io::ChannelRole;
 using units::degree;
 
-Vec3<double> center_of_mass(const Sample& s) {
+template <class AnySample>
+const Vec3<typename AnySample::Number>& center_of_mass(const AnySample& s) {
     return s.model.vehicle.chassis.center;
 }
 
 // Position of the chassis's center of mass on the ground, the paper's r_1 = (q11, q12, q13).
-Vec3<double> chassis_position(const Sample& s) {
-    return Vec3<double>(s.state.position()) + s.velocity.R_GC * center_of_mass(s);
+template <class AnySample>
+Vec3<typename AnySample::Number> chassis_position(const AnySample& s) {
+    using T = typename AnySample::Number;
+    return Vec3<T>(s.state.position()) + s.velocity.R_GC * center_of_mass(s);
 }
-Vec3<double> chassis_velocity(const Sample& s) {
-    return velocity_at<double>(s.velocity.chassis, center_of_mass(s));
+template <class AnySample>
+Vec3<typename AnySample::Number> chassis_velocity(const AnySample& s) {
+    return velocity_at<typename AnySample::Number>(s.velocity.chassis, center_of_mass(s));
 }
 
 double rack_force_in(const Sample& s) {
@@ -41,8 +46,9 @@ double rack_force_in(const Sample& s) {
 }
 
 // ISO 8855 angles: yaw about z, pitch about y', roll about x''.
-Vec3<double> roll_pitch_yaw(const Mat3<double>& R) {
-    return {std::atan2(R(2, 1), R(2, 2)), -std::asin(std::clamp(R(2, 0), -1.0, 1.0)), std::atan2(R(1, 0), R(0, 0))};
+template <class T>
+T roll_pitch_yaw(const Mat3<T>& R, int i) {
+    return i == 0 ? angle_of<T>(R(2, 1), R(2, 2)) : i == 1 ? T(-arcsine<T>(R(2, 0))) : angle_of<T>(R(1, 0), R(0, 0));
 }
 
 void add_chassis_channels(std::vector<Channel>& list) {
@@ -51,24 +57,25 @@ void add_chassis_channels(std::vector<Channel>& list) {
     for (int i = 0; i < 3; ++i) {
         list.push_back(
             {{fmt::format("chassis.position.{}", axes[i]), "m", "center of mass of the chassis, ground axes"},
-             [i](const Sample& s) { return chassis_position(s)[i]; },
+             [i](const auto& s) { return chassis_position(s)[i]; },
              true});
     }
     for (int i = 0; i < 3; ++i) {
-        list.push_back({{fmt::format("chassis.velocity.{}", axes[i]), "m/s", "of that point, ground axes"},
-                        [i](const Sample& s) { return (s.velocity.R_GC * chassis_velocity(s))[i]; },
-                        true});
+        list.push_back(
+            {{fmt::format("chassis.velocity.{}", axes[i]), "m/s", "of that point, ground axes"},
+             [i](const auto& s) { return Vec3<NumberOf<decltype(s)>>(s.velocity.R_GC * chassis_velocity(s))[i]; },
+             true});
     }
     for (int i = 0; i < 3; ++i) {
         list.push_back({{fmt::format("chassis.angle.{}", angles[i]), "deg", "ISO 8855 angle (yaw, pitch, roll)",
                          i == 0 ? ChannelRole::roll_angle : ChannelRole::none},
-                        [i](const Sample& s) { return roll_pitch_yaw(s.velocity.R_GC)[i] / degree; },
+                        [i](const auto& s) { return roll_pitch_yaw(s.velocity.R_GC, i) / degree; },
                         true});
     }
     for (int i = 0; i < 3; ++i) {
         list.push_back({{fmt::format("chassis.rate.{}", angles[i]), "deg/s", "angular velocity, vehicle axes",
                          i == 2 ? ChannelRole::yaw_rate : ChannelRole::none},
-                        [i](const Sample& s) { return s.velocity.chassis[3 + i] / degree; },
+                        [i](const auto& s) { return s.velocity.chassis[3 + i] / degree; },
                         i == 2});
     }
     const char* names[] = {"longitudinal", "lateral", "vertical"};
@@ -77,7 +84,7 @@ void add_chassis_channels(std::vector<Channel>& list) {
     for (int i = 0; i < 3; ++i) {
         list.push_back({{fmt::format("chassis.{}_velocity", names[i]), "m/s", "of the center of mass, vehicle axes",
                          velocities[i]},
-                        [i](const Sample& s) { return chassis_velocity(s)[i]; },
+                        [i](const auto& s) { return chassis_velocity(s)[i]; },
                         i < 2});
     }
     for (int i = 0; i < 3; ++i) {
@@ -92,8 +99,9 @@ void add_car_channels(const VehicleDescription& vehicle, std::vector<Channel>& l
         list.push_back({{std::move(name), std::move(unit), std::move(what), role}, read, standard});
     };
     add(
-        "input.rack", "m", "rack displacement (q17)", [](const Sample& s) { return s.input.rack.displacement; }, true);
+        "input.rack", "m", "rack displacement (q17)", [](const auto& s) { return s.input.rack.displacement; }, true);
     if (const Column column(vehicle.steering); column.exists()) {
+        // Not compiled: the ratio is no number of the model, so cars of a batch may differ in it unseen.
         add(
             channel::steering_wheel, "deg", "of the steering wheel, to the left positive",
             [column](const Sample& s) { return column.angle(s.input.rack.displacement) / degree; }, true,
@@ -107,9 +115,9 @@ void add_car_channels(const VehicleDescription& vehicle, std::vector<Channel>& l
     }
     add(
         "input.drive_torque", "N m", "at the driven wheels together",
-        [](const Sample& s) { return s.input.drive_torque; }, true, ChannelRole::drive_torque);
+        [](const auto& s) { return s.input.drive_torque; }, true, ChannelRole::drive_torque);
     add(
-        "input.brake", "1", "brake command", [](const Sample& s) { return s.input.brake; }, true, ChannelRole::brake);
+        "input.brake", "1", "brake command", [](const auto& s) { return s.input.brake; }, true, ChannelRole::brake);
     add(
         "constraints.opening", "m", "largest opening of a cut joint", [](const Sample& s) { return s.violation; },
         true);
@@ -142,7 +150,7 @@ bool contains(const std::vector<Channel>& list, const Channel& channel) {
 std::vector<Channel> all_channels(const VehicleDescription& vehicle) {
     std::vector<Channel> list;
     add_chassis_channels(list);
-    add_handling_channels(list);
+    add_handling_channels(vehicle, list);
     add_car_channels(vehicle, list);
     add_powertrain_channels(vehicle, list);
     add_suspension_channels(vehicle, list);

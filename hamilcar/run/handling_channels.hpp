@@ -8,6 +8,6 @@
 
 namespace hamilcar {
 
-void add_handling_channels(std::vector<Channel>& list);
+void add_handling_channels(const VehicleDescription& vehicle, std::vector<Channel>& list);
 
 }  // namespace hamilcar

@@ -24,7 +24,8 @@ ChannelRole component(ChannelRole first, std::size_t i) {
     return static_cast<ChannelRole>(static_cast<std::size_t>(first) + i);
 }
 
-void add(std::vector<Channel>& list, io::Column column, std::function<double(const Sample&)> read) {
+template <class Read>
+void add(std::vector<Channel>& list, io::Column column, Read read) {
     list.push_back({std::move(column), std::move(read)});
 }
 

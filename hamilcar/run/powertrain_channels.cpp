@@ -12,8 +12,6 @@ namespace {
 using units::rpm;
 
 using io::ChannelRole;
-using Unit = PowerUnit<double>::Output;
-using Lock = Differential<double>::Output;
 
 // Of a unit, whose last gear stands for all beyond it; 0 also between two gears, and in a reverse gear that it has not.
 double gear_in(const Sample& s, std::size_t i) {
@@ -27,38 +25,39 @@ void add_unit_channels(const std::string& name, std::size_t i, std::vector<Chann
     const auto add = [&](const char* what, const char* unit, const char* meaning, auto read, bool standard,
                          ChannelRole role = ChannelRole::none) {
         list.push_back({{name + what, unit, meaning, role, name},
-                        [i, read](const Sample& s) {
-                            return s.model.vehicle.powertrain.exists() ? read(s.momenta.powertrain.units[i]) : 0;
+                        [i, read](const auto& s) {
+                            using T = NumberOf<decltype(s)>;
+                            return s.model.vehicle.powertrain.exists() ? T(read(s.momenta.powertrain.units[i])) : T(0);
                         },
                         standard});
     };
     add(
-        ".speed", "rpm", "of the rotor", [](const Unit& u) { return u.spin / rpm; }, true, ChannelRole::rotor_speed);
+        ".speed", "rpm", "of the rotor", [](const auto& u) { return u.spin / rpm; }, true, ChannelRole::rotor_speed);
     add(
-        ".torque", "N m", "of combustion or field on the rotor", [](const Unit& u) { return u.source; }, true,
+        ".torque", "N m", "of combustion or field on the rotor", [](const auto& u) { return u.source; }, true,
         ChannelRole::rotor_torque);
     add(
-        ".power", "kW", "of that torque", [](const Unit& u) { return 1e-3 * u.source * u.spin; }, false);
+        ".power", "kW", "of that torque", [](const auto& u) { return 1e-3 * u.source * u.spin; }, false);
     add(
-        ".throttle", "1", "that is in force", [](const Unit& u) { return u.throttle; }, false,
+        ".throttle", "1", "that is in force", [](const auto& u) { return u.throttle; }, false,
         ChannelRole::unit_throttle);
     list.push_back({{name + ".gear", "1", "that is in: -1 reverse, 0 none, 1 first", ChannelRole::gear, name},
                     [i](const Sample& s) { return gear_in(s, i); },
                     true});
     add(
-        ".clutch_torque", "N m", "through the clutch, to the gearbox", [](const Unit& u) { return u.clutch; }, true,
+        ".clutch_torque", "N m", "through the clutch, to the gearbox", [](const auto& u) { return u.clutch; }, true,
         ChannelRole::clutch_torque);
     add(
         ".clutch_slip", "rpm", "of the rotor over the gearbox's input",
-        [](const Unit& u) { return (u.spin - u.shaft_speed) / rpm; }, false);
+        [](const auto& u) { return (u.spin - u.shaft_speed) / rpm; }, false);
     add(
-        ".converter_torque", "N m", "of the turbine on the gearbox", [](const Unit& u) { return u.turbine; }, false);
+        ".converter_torque", "N m", "of the turbine on the gearbox", [](const auto& u) { return u.turbine; }, false);
     add(
-        ".output_torque", "N m", "of the gearbox on the shaft behind it", [](const Unit& u) { return u.out; }, false);
+        ".output_torque", "N m", "of the gearbox on the shaft behind it", [](const auto& u) { return u.out; }, false);
     add(
-        ".ratio", "1", "of the gear that is in, negative in reverse", [](const Unit& u) { return u.ratio; }, false);
+        ".ratio", "1", "of the gear that is in, negative in reverse", [](const auto& u) { return u.ratio; }, false);
     add(
-        ".losses", "kW", "in clutch, converter and gearbox", [](const Unit& u) { return 1e-3 * u.loss; }, false);
+        ".losses", "kW", "in clutch, converter and gearbox", [](const auto& u) { return 1e-3 * u.loss; }, false);
 }
 
 }  // namespace
@@ -69,24 +68,26 @@ void add_powertrain_channels(const VehicleDescription& vehicle, std::vector<Chan
         list.push_back({{name, unit, meaning}, read, standard});
     };
     add(
-        "input.throttle", "1", "pedal of the power units", [](const Sample& s) { return s.input.throttle; }, true);
+        "input.throttle", "1", "pedal of the power units", [](const auto& s) { return s.input.throttle; }, true);
     add(
-        "input.clutch", "1", "pedal, 1 pressed", [](const Sample& s) { return s.input.clutch; }, false);
+        "input.clutch", "1", "pedal, 1 pressed", [](const auto& s) { return s.input.clutch; }, false);
     add(
-        "input.gear", "1", "-1 reverse, 0 neutral, 1 first", [](const Sample& s) { return s.input.gear; }, true);
+        "input.gear", "1", "-1 reverse, 0 neutral, 1 first", [](const auto& s) { return s.input.gear; }, true);
     for (std::size_t i = 0; i < vehicle.power_units.size(); ++i) {
         add_unit_channels(vehicle.power_units[i].name, i, list);
     }
     for (std::size_t i = 0; i < vehicle.differentials.size(); ++i) {
         const std::string name = vehicle.differentials[i].name + ".differential";
         const auto add_lock = [&](const char* what, const char* unit, const char* meaning, auto read) {
-            list.push_back({{name + what, unit, meaning}, [i, read](const Sample& s) {
-                                return s.model.vehicle.powertrain.exists() ? read(s.momenta.powertrain.differentials[i])
-                                                                           : 0;
+            list.push_back({{name + what, unit, meaning}, [i, read](const auto& s) {
+                                using T = NumberOf<decltype(s)>;
+                                return s.model.vehicle.powertrain.exists()
+                                           ? T(read(s.momenta.powertrain.differentials[i]))
+                                           : T(0);
                             }});
         };
-        add_lock(".lock_torque", "N m", "from the first output to the second", [](const Lock& d) { return d.lock; });
-        add_lock(".losses", "kW", "of the lock", [](const Lock& d) { return 1e-3 * d.loss; });
+        add_lock(".lock_torque", "N m", "from the first output to the second", [](const auto& d) { return d.lock; });
+        add_lock(".losses", "kW", "of the lock", [](const auto& d) { return 1e-3 * d.loss; });
     }
     add(
         "energy.supplied", "J", "by the power units",

@@ -21,6 +21,7 @@ namespace hamilcar {
 
 // Everything about one instant, for channels and summaries.
 struct Sample {
+    using Number = double;
     double time;
     const Model<double>& model;
     const State<double>& state;

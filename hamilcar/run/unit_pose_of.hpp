@@ -5,7 +5,8 @@
 
 namespace hamilcar {
 
-inline UnitPose<double> unit_pose_of(const Sample& s, std::size_t unit) {
+template <class AnySample>
+UnitPose<typename AnySample::Number> unit_pose_of(const AnySample& s, std::size_t unit) {
     if (unit == 0) return {s.state.position(), s.velocity.R_GC};
     const std::size_t trailer = unit - 1;
     const auto tow = static_cast<std::size_t>(s.model.vehicle.trailers[trailer].tow);

@@ -117,6 +117,22 @@ T arctangent(const T& x) {
     return arctangent(x, T(1));
 }
 
+// The angle of (x, y) all around, as std::atan2, without the signs of zeros; 0 at the origin [rad].
+template <class T>
+T angle_of(const T& y, const T& x) {
+    const T pi =
+        in_precision<T>([](auto element) { return T(2) * T(detail::ElementaryConstants<decltype(element)>::half_pi); });
+    const T size = arctangent(T(abs(y)), T(max(T(abs(x)), T(1e-30))));
+    const T around = select(x < T(0), T(pi - size), size);
+    return select(y < T(0), T(-around), around);
+}
+// Of a number that round-off may have carried beyond 1 or -1 [rad].
+template <class T>
+T arcsine(const T& x) {
+    const T sine = clamp(x, T(-1), T(1));
+    return arctangent(sine, T(max(T(sqrt((T(1) - sine) * (T(1) + sine))), T(1e-30))));
+}
+
 namespace detail {
 
 // sin(r) for |r| <= pi/2, with the sign changed where `half_turns` is odd.

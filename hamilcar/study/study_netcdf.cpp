@@ -1,9 +1,5 @@
 // The table as netCDF classic: one dimension, `point`, and a variable for every parameter and figure.
-#include <filesystem>
-
-#include "hamilcar/io/error.hpp"
 #include "hamilcar/io/netcdf_file.hpp"
-#include "hamilcar/io/whole_file.hpp"
 #include "hamilcar/study/study_table.hpp"
 
 namespace hamilcar {
@@ -55,17 +51,7 @@ void write_study_netcdf(const std::string& path, const StudyTable& table) {
         if (!variable.meaning.empty()) attributes.push_back({"long_name", variable.meaning});
         for (const double value : variable.values) io::append_big_endian(bytes, value);
     }
-    const std::string beside = io::create_beside(path);
-    try {
-        io::NetcdfOutput file(beside, header);
-        file.write(bytes, "write");
-        file.close();
-    } catch (const io::Error&) {
-        std::error_code gone_already;
-        std::filesystem::remove(beside, gone_already);
-        throw;
-    }
-    io::put_in_place(beside, path);
+    io::write_netcdf(path, header, bytes);
 }
 
 }  // namespace hamilcar

@@ -21,6 +21,7 @@ if (_Path(__file__).parent / "share" / "hamilcar").is_dir():
 from ._batch import Batch
 from ._documents import Scenario, Vehicle, shipped_scenarios, shipped_vehicles
 from ._errors import AccessError, Error, InputError, NumericalError
+from ._linear import LinearModel, Mode, linearize
 from ._maneuver import Figure, Outcome, Verdict, maneuver
 from ._results import Results, read
 from ._run import run
@@ -33,6 +34,8 @@ __all__ = [
     "Error",
     "Figure",
     "InputError",
+    "LinearModel",
+    "Mode",
     "NumericalError",
     "Outcome",
     "Results",
@@ -40,6 +43,7 @@ __all__ = [
     "Simulation",
     "Vehicle",
     "Verdict",
+    "linearize",
     "maneuver",
     "read",
     "run",

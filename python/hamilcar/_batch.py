@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _core
 from ._documents import Scenario, Source, Vehicle, as_scenario, as_vehicle
+from ._errors import InputError
 from ._simulation import Channels, ControlTargets
 
 Which = Union[None, int, Sequence[int], np.ndarray]
@@ -45,15 +46,18 @@ class Batch:
         step: float | None = None,
         integrator: str | None = None,
         powered: bool | None = None,
+        energy_balance: bool | None = None,
     ):
         if count < 1:
             raise ValueError(f"count = {count}: expected at least one car")
         if precision not in ("double", "single"):
             raise ValueError(f"precision = {precision!r}: expected 'double' or 'single'")
+        if isinstance(vary, str):
+            raise TypeError("vary: expected a list of names, not a text")
         self.vehicle = as_vehicle(vehicle)
         self.scenario = as_scenario(
             self.vehicle, scenario, speed=speed, position=position, yaw=yaw, friction=friction, step=step,
-            integrator=integrator, powered=powered,
+            integrator=integrator, powered=powered, energy_balance=energy_balance,
         )
         self._varied = {name: np.full(count, float(self.vehicle[name])) for name in vary}
         self._applied = {name: values.copy() for name, values in self._varied.items()}
@@ -66,20 +70,24 @@ class Batch:
         self._channels = Channels(self._fleet.channels)
 
     def _variants(self) -> list[Vehicle]:
-        """Vehicles that differ in all that may be varied, so that the program takes it from each car."""
-        numbers = self.vehicle.numbers() if self._varied else {}
+        """Vehicles that differ in all that may be varied, each by a share of its own, so that the program takes it from each car."""
+        if not self._varied:
+            return []
+        numbers = self.vehicle.numbers()
         out = []
-        for share in (0.01, -0.01) if self._varied else ():
-            changes = {}
-            for name in self._varied:
-                value = self._varied[name][0]
+        for sign in (1, -1):
+            changes: dict[str, float] = {}
+            for i, name in enumerate(self._varied):
+                about, value = numbers.get(name), self._varied[name][0]
+                if about is not None and about.is_whole:
+                    raise ValueError(f"{name} counts something: cars of a batch share it")
+                share = sign * 0.01 * (1 + 0.37 * i / (1 + i))
                 other = value * (1 + share) if value != 0 else share
-                about = numbers.get(name)
-                if about is not None:
-                    if about.is_whole:
-                        raise ValueError(f"{name} counts something: cars of a batch share it")
-                    other = value if not about.min <= other <= about.max else other
-                changes[name] = other
+                changes[name] = other if about is None or about.min <= other <= about.max else value
+                try:
+                    self.vehicle.changed(changes)
+                except InputError as error:
+                    raise ValueError(f"{name} cannot vary by itself: others must fit to it ({error})") from error
             out.append(self.vehicle.changed(changes))
         return out
 
@@ -157,7 +165,7 @@ class Batch:
             raise ValueError(f"controls of shape {given.shape}: expected (t, {self._count}, {len(self._controls)})")
         names = list(record)
         out = self._fleet.rollout(
-            steps, self._targets((given.shape[0],), given, {}), self._channels.places(names)
+            steps, self._targets((given.shape[0],), given, {}), given.shape[0], self._channels.places(names)
         )
         return {name: out[:, :, i] for i, name in enumerate(names)}
 
@@ -179,12 +187,10 @@ class Batch:
         for car in self._cars(which):
             differs = any(values[car] != self._applied[name][car] for name, values in self._varied.items())
             (changed if differs else same).append(car)
-        self._fleet.restart(same)
-        if not changed:
-            return
-        self._fleet.replace(changed, [self.vehicle_of(car)._core for car in changed])
+        self._fleet.replace(changed, [self.vehicle_of(car)._core for car in changed])  # all of them or none
         for name, values in self._varied.items():
             self._applied[name][changed] = values[changed]
+        self._fleet.restart(same)
 
     def __getitem__(self, channel: str) -> np.ndarray:
         return self._fleet.values(self._channels.places([channel]))[:, 0]

@@ -33,7 +33,7 @@ def shipped_scenarios() -> list[str]:
 
 def _path_of(source: Union[str, "os.PathLike[str]"], folder: str) -> str:
     text = os.fspath(source)
-    if os.path.exists(text):
+    if os.path.isfile(text):
         return text
     if shipped := _core.find_shipped(f"{folder}/{text}.toml"):
         return os.path.abspath(shipped)
@@ -224,6 +224,7 @@ def as_scenario(
     step: float | None,
     integrator: str | None,
     powered: bool | None,
+    energy_balance: bool | None,
 ) -> Scenario:
     """The scenario with what was asked for beside it; without one: a plane, straight ahead."""
     from math import degrees
@@ -259,6 +260,8 @@ def as_scenario(
         changes["solver.step_s"] = step
     if integrator is not None:
         changes["solver.integrator"] = integrator
+    if energy_balance is not None:
+        changes["solver.energy_balance"] = energy_balance
     if changes:
         scenario.update(changes)
     return scenario

@@ -48,6 +48,8 @@ class Channels:
         self.number = {name: i for i, name in enumerate(self.entries)}
 
     def places(self, names: Iterable[str]) -> list[int]:
+        if isinstance(names, str):
+            raise TypeError("expected a list of channels, not a text")
         out = []
         for name in names:
             if name not in self.number:
@@ -62,7 +64,7 @@ class Simulation:
     Without a scenario it stands on an endless plane and rolls ahead at ``speed`` [m/s] (0 if left out); ``friction`` is the road's
     factor, ``step`` that of the integration [s], ``position`` where the vehicle's origin is on the ground [m] and ``yaw`` its
     heading [rad]. A vehicle with power units has a throttle and changes its gears by itself unless ``powered=False``, then a torque
-    at the wheels drives it.
+    at the wheels drives it. ``energy_balance=False`` saves a tenth of a step and the channels of energy.
 
     >>> simulation = Simulation("bmw_323i", speed=20.0)
     >>> simulation.step(20, steering_wheel=0.3)
@@ -81,11 +83,12 @@ class Simulation:
         step: float | None = None,
         integrator: str | None = None,
         powered: bool | None = None,
+        energy_balance: bool | None = None,
     ):
         self.vehicle = as_vehicle(vehicle)
         self.scenario = as_scenario(
             self.vehicle, scenario, speed=speed, position=position, yaw=yaw, friction=friction, step=step,
-            integrator=integrator, powered=powered,
+            integrator=integrator, powered=powered, energy_balance=energy_balance,
         )
         self._car = _core.Car(self.vehicle._core, self.scenario._core)
         self._controls = ControlTargets(self._car.controls)

@@ -1,7 +1,7 @@
 // Many cars, stepped together from Python.
 #include "hamilcar/batch/batch.hpp"
 
-#include <deque>
+#include <algorithm>
 #include <map>
 
 #include "controls.hpp"
@@ -29,6 +29,8 @@ const char* word(EndReason reason) {
     return "";
 }
 
+constexpr long steps_between_signals = 100;  // Ctrl-C is asked for in between
+
 class Fleet {
 public:
     // A vehicle for each car; `variants`: others that cars may become.
@@ -36,54 +38,53 @@ public:
           bool single_precision, double tilt_limit)
         : scenario_(scenario.description) {
         if (vehicles.empty()) throw nb::value_error("expected at least one car");
-        std::deque<Simulation> others;
+        std::map<const VehicleDocument*, std::shared_ptr<const Car>> made;  // one for all cars of one vehicle
+        for (const VehicleDocument* vehicle : vehicles) {
+            std::shared_ptr<const Car>& car = made[vehicle];
+            if (!car) car = make(vehicle);
+            cars_.push_back(car);
+        }
         BatchOptions options{.threads = threads,
                              .precision = single_precision ? Precision::single_precision : Precision::double_precision,
                              .tilt_limit = tilt_limit};
-        std::map<const VehicleDocument*, std::shared_ptr<Simulation>> made;  // one for all cars of one vehicle
-        for (const VehicleDocument* vehicle : vehicles) {
-            std::shared_ptr<Simulation>& simulation = made[vehicle];
-            if (!simulation)
-                simulation = std::make_shared<Simulation>(expect_object(vehicle, "a vehicle").description, scenario_);
-            cars_.push_back(simulation);
-        }
+        std::vector<std::shared_ptr<const Car>> others;
         for (const VehicleDocument* vehicle : variants) {
-            options.variants.push_back(
-                &others.emplace_back(expect_object(vehicle, "a vehicle").description, scenario_));
+            options.variants.push_back(&others.emplace_back(make(vehicle))->simulation);
         }
         std::vector<const Simulation*> all;
-        for (const auto& car : cars_) all.push_back(car.get());
+        for (const auto& car : cars_) all.push_back(&car->simulation);
         batch_.emplace(all, options);
-        controls_ = DirectControls(cars_[0]->vehicle(), scenario_, cars_[0]->schedule());
-        channels_ = all_channels(cars_[0]->vehicle());
     }
 
     std::size_t size() const { return cars_.size(); }
-    const DirectControls& controls() const { return controls_; }
-    const std::vector<Channel>& channels() const { return channels_; }
+    const DirectControls& controls() const { return cars_[0]->controls; }
+    const std::vector<Channel>& channels() const { return cars_[0]->channels; }
     double step_size() const { return scenario_.solver.step; }
 
     void step(long steps, const Numbers& targets) {
         const Turn turn(busy_);
-        expect_controls(controls_, targets, size());
-        if (steps < 1) throw nb::value_error("expected at least one step");
-        const nb::gil_scoped_release release;
-        step_with(steps, targets.data());
+        expect_rows(targets, 1);
+        expect_steps(steps);
+        Interruption interruption;
+        {
+            const nb::gil_scoped_release release;
+            step_with(steps, targets.data(), interruption);
+        }
+        interruption.raise_if_interrupted();
     }
 
     // Rows of targets for all cars, one after the other; the channels after each.
-    NewNumbers rollout(long steps, const Numbers& targets, const std::vector<std::size_t>& which) {
+    NewNumbers rollout(long steps, const Numbers& targets, std::size_t rows, const std::vector<std::size_t>& which) {
         const Turn turn(busy_);
-        const std::size_t row = size() * controls_.list().size();
-        const std::size_t rows = row == 0 ? 0 : targets.size() / row;
-        expect_controls(controls_, targets, rows * size());
-        if (steps < 1) throw nb::value_error("expected at least one step");
+        expect_rows(targets, rows);
+        expect_steps(steps);
+        const std::size_t row = size() * controls().list().size();
         Interruption interruption;
         std::vector<double> out(rows * size() * which.size());
         {
             const nb::gil_scoped_release release;
             for (std::size_t i = 0; i < rows && !interruption.asked(); ++i) {
-                step_with(steps, targets.data() + i * row);
+                step_with(steps, targets.data() + i * row, interruption);
                 read(which, out.data() + i * size() * which.size());
             }
         }
@@ -103,7 +104,7 @@ public:
 
     NewNumbers states() const {
         const Turn turn(busy_);
-        const auto count = static_cast<std::size_t>(cars_[0]->model().vehicle.state_size);
+        const auto count = static_cast<std::size_t>(cars_[0]->simulation.model().vehicle.state_size);
         std::vector<double> out;
         for (std::size_t i = 0; i < size(); ++i) {
             const State<double> state = batch_->state(i);
@@ -116,13 +117,22 @@ public:
         const Turn turn(busy_);
         for (const std::size_t car : cars) batch_->restart(check(car));
     }
+    // All of them or, where one cannot be made or does not fit, none.
     void replace(const Cars& cars, const Vehicles& vehicles) {
         const Turn turn(busy_);
         if (cars.size() != vehicles.size()) throw nb::value_error("expected a vehicle for each car");
+        std::vector<std::shared_ptr<const Car>> made;
         for (std::size_t i = 0; i < cars.size(); ++i) {
-            auto by = std::make_shared<Simulation>(expect_object(vehicles[i], "a vehicle").description, scenario_);
-            batch_->replace(check(cars[i]), *by);
-            cars_[cars[i]] = std::move(by);
+            made.push_back(make(vehicles[i]));
+            const std::string obstacle = batch_->obstacle_to_replace(check(cars[i]), made.back()->simulation);
+            if (!obstacle.empty()) {
+                throw nb::value_error(
+                    fmt::format("car {} cannot have these numbers in this batch: {}", cars[i], obstacle).c_str());
+            }
+        }
+        for (std::size_t i = 0; i < cars.size(); ++i) {
+            batch_->replace(cars[i], made[i]->simulation);
+            cars_[cars[i]] = made[i];
         }
     }
     std::vector<std::unique_ptr<Place>> save(const Cars& cars) const {
@@ -131,7 +141,7 @@ public:
         for (const std::size_t car : cars) {
             if (batch_->end(check(car)).reason != EndReason::none)
                 throw nb::value_error(fmt::format("car {} has ended: there is nothing to come back to", car).c_str());
-            out.push_back(std::make_unique<Place>(*cars_[car]));
+            out.push_back(std::make_unique<Place>(cars_[car]->simulation));
             batch_->save(car, out.back()->snapshot);
         }
         return out;
@@ -140,18 +150,23 @@ public:
         const Turn turn(busy_);
         if (cars.size() != from.size()) throw nb::value_error("expected a snapshot for each car");
         for (std::size_t i = 0; i < cars.size(); ++i) {
-            expect_object(from[i], "a snapshot").expect_of(*cars_[check(cars[i])]);
+            expect_object(from[i], "a snapshot").expect_of(cars_[check(cars[i])]->simulation);
         }
         for (std::size_t i = 0; i < cars.size(); ++i) batch_->restore(cars[i], from[i]->snapshot);
     }
 
     std::vector<bool> ended() const {
+        const Turn turn(busy_);
         std::vector<bool> out(size());
         for (std::size_t i = 0; i < size(); ++i) out[i] = batch_->end(i).reason != EndReason::none;
         return out;
     }
-    std::string why(std::size_t car) const { return word(batch_->end(check(car)).reason); }
+    std::string why(std::size_t car) const {
+        const Turn turn(busy_);
+        return word(batch_->end(check(car)).reason);
+    }
     NewNumbers times() const {
+        const Turn turn(busy_);
         std::vector<double> out(size());
         for (std::size_t i = 0; i < size(); ++i) out[i] = batch_->time(i);
         return new_numbers(std::move(out), {size()});
@@ -159,40 +174,98 @@ public:
     std::string engine() const { return std::string(batch_->engine()); }
 
 private:
+    // What controls and channels need of a vehicle's description, its steering ratio for one, is its own.
+    struct Car {
+        Simulation simulation;
+        DirectControls controls;
+        std::vector<Channel> channels;
+        Car(const VehicleDescription& vehicle, const ScenarioDescription& scenario)
+            : simulation(vehicle, scenario),
+              controls(simulation.vehicle(), scenario, simulation.schedule()),
+              channels(all_channels(simulation.vehicle())) {}
+    };
+    std::shared_ptr<const Car> make(const VehicleDocument* vehicle) const {
+        return std::make_shared<const Car>(expect_object(vehicle, "a vehicle").description, scenario_);
+    }
+
     std::size_t check(std::size_t car) const {
         if (car >= size()) throw nb::index_error(fmt::format("car {}: the batch has {}", car, size()).c_str());
         return car;
     }
-    void step_with(long steps, const double* targets) {
-        const std::size_t count = controls_.list().size();
-        const auto access = [&](std::size_t car) {
-            return [this, car](auto&& change) { batch_->change_inputs(car, change); };
-        };
-        for (std::size_t car = 0; car < size(); ++car) {
-            move_controls(controls_, targets + car * count, batch_->time(car), static_cast<double>(steps) * step_size(),
-                          access(car));
-        }
-        batch_->advance(steps);
-        for (std::size_t car = 0; car < size(); ++car) {
-            hold_controls(controls_, targets + car * count, batch_->time(car), access(car));
+    static void expect_steps(long steps) {
+        if (steps < 1) throw nb::value_error("expected at least one step");
+    }
+    void expect_rows(const Numbers& targets, std::size_t rows) const {
+        const std::size_t count = controls().list().size();
+        expect_count(targets, rows * size() * count);
+        for (std::size_t i = 0; i < rows * size(); ++i) {
+            expect_targets(cars_[i % size()]->controls, targets.data() + i * count);
         }
     }
+
+    auto access(std::size_t car) {
+        return [this, car](auto&& change) { batch_->change_inputs(car, change); };
+    }
+    void step_with(long steps, const double* targets, Interruption& interruption) {
+        const std::size_t count = controls().list().size();
+        for (std::size_t car = 0; car < size(); ++car) {
+            move_controls(cars_[car]->controls, targets + car * count, {batch_->time(car), steps, step_size()},
+                          access(car));
+        }
+        for (long left = steps; left > 0 && !interruption.asked(); left -= steps_between_signals) {
+            batch_->advance(std::min(left, steps_between_signals));
+        }
+        const bool interrupted = interruption.asked();
+        for (std::size_t car = 0; car < size(); ++car) {
+            if (interrupted) {
+                stop_controls(cars_[car]->controls, targets + car * count, batch_->time(car), access(car));
+            } else {
+                hold_controls(cars_[car]->controls, targets + car * count, batch_->time(car), access(car));
+            }
+        }
+    }
+
+    // By a program compiled for these channels, once; those that are not compiled, and cars that have ended, one by one.
     void read(const std::vector<std::size_t>& which, double* to) {
+        const Selection& chosen = selection(which);
+        batch_->sample(chosen.sampler, to);
         batch_->for_each_car([&](std::size_t car) {
+            const bool ended = batch_->end(car).reason != EndReason::none;
+            if (!ended && chosen.all_compiled) return;
             const State<double> state = batch_->state(car);
-            const Simulation& own = batch_->simulation(car);
-            const Sample sample = sample_at(own.model(), state, batch_->schedule(car)(batch_->time(car)));
+            const Car& own = *cars_[car];
+            const Sample sample = sample_at(own.simulation.model(), state, batch_->schedule(car)(batch_->time(car)));
             for (std::size_t k = 0; k < which.size(); ++k) {
-                to[car * which.size() + k] = channels_.at(which[k]).read(sample);
+                const Channel& channel = own.channels[which[k]];
+                if (ended || !channel.trace) to[car * which.size() + k] = channel.read(sample);
             }
         });
     }
 
+    struct Selection {
+        Batch::Sampler sampler;
+        bool all_compiled = true;
+    };
+    const Selection& selection(const std::vector<std::size_t>& which) {
+        const auto known = selections_.find(which);
+        if (known != selections_.end()) return known->second;
+        constexpr std::size_t most_selections = 64;  // who reads others every time compiles every time
+        if (selections_.size() >= most_selections) selections_.clear();
+        TracedReaders readers;
+        Selection made;
+        for (const std::size_t i : which) {
+            const Channel& channel = channels().at(i);
+            if (!channel.trace) made.all_compiled = false;
+            readers.push_back(channel.trace ? channel.trace : [](const TracedSample&) { return Traced<>(0.0); });
+        }
+        made.sampler = batch_->sampler(readers);
+        return selections_.emplace(which, std::move(made)).first->second;
+    }
+
     ScenarioDescription scenario_;
-    std::vector<std::shared_ptr<const Simulation>> cars_;
+    std::vector<std::shared_ptr<const Car>> cars_;
     std::optional<Batch> batch_;
-    DirectControls controls_;
-    std::vector<Channel> channels_;
+    std::map<std::vector<std::size_t>, Selection> selections_;
     mutable std::atomic<bool> busy_{false};
 };
 
@@ -203,7 +276,7 @@ void add_batch(nb::module_& module) {
         .def(nb::init<const Vehicles&, const ScenarioDocument&, const Vehicles&, int, bool, double>(), "vehicles"_a,
              "scenario"_a, "variants"_a, "threads"_a, "single_precision"_a, "tilt_limit"_a)
         .def("step", &Fleet::step, "steps"_a, "targets"_a.noconvert())
-        .def("rollout", &Fleet::rollout, "steps"_a, "targets"_a.noconvert(), "channels"_a)
+        .def("rollout", &Fleet::rollout, "steps"_a, "targets"_a.noconvert(), "rows"_a, "channels"_a)
         .def("values", &Fleet::values, "channels"_a)
         .def("states", &Fleet::states)
         .def("restart", &Fleet::restart, "cars"_a)
@@ -215,15 +288,7 @@ void add_batch(nb::module_& module) {
         .def("times", &Fleet::times)
         .def_prop_ro("engine", &Fleet::engine)
         .def_prop_ro("step_size", &Fleet::step_size)
-        .def_prop_ro("channels",
-                     [](const Fleet& fleet) {
-                         nb::list out;
-                         for (const Channel& channel : fleet.channels()) {
-                             out.append(nb::make_tuple(channel.column.name, channel.column.unit,
-                                                       channel.column.description, channel.standard));
-                         }
-                         return out;
-                     })
+        .def_prop_ro("channels", [](const Fleet& fleet) { return described(fleet.channels()); })
         .def_prop_ro("controls", [](const Fleet& fleet) { return described(fleet.controls()); });
 }
 

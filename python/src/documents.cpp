@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "controls.hpp"
 #include "hamilcar/analysis/dimensions.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/file_kind.hpp"
@@ -53,41 +54,43 @@ void adopt(io::Node tables, Document<Description>& to) {
 }
 
 template <class Description>
+void change(Document<Description>& document, io::Node tables, nb::dict changes) {
+    const Source source = typed_in(place_of(Description{}), --document.generation);
+    for (const auto& [key, value] : changes) {
+        if (!nb::isinstance<nb::str>(key)) throw nb::type_error("keys must be texts, as 'chassis.mass_kg'");
+        io::set_key(tables, nb::cast<std::string>(key), node_of(value, source), "");
+    }
+    adopt(std::move(tables), document);
+}
+
+template <class Description>
 Document<Description> from_file(const std::string& path, nb::dict changes) {
     Document<Description> out;
     out.source = path;
-    io::expect_kind(path, kind_of(Description{}), [&] {
-        io::Node tables = io::read_toml(path);
-        for (const auto& [key, value] : changes) {
-            const auto name = nb::cast<std::string>(key);
-            io::set_key(tables, name, node_of(value, place_of(Description{})), "");
-        }
-        adopt(std::move(tables), out);
-    });
+    io::expect_kind(path, kind_of(Description{}), [&] { change(out, io::read_toml(path), changes); });
     return out;
 }
 
 template <class Description>
 Document<Description> from_dict(nb::dict tables, const std::string& name) {
     Document<Description> out;
-    adopt(node_of(tables, name), out);
+    adopt(node_of(tables, typed_in(name, --out.generation)), out);
     return out;
 }
 
 template <class Description>
 void set(Document<Description>& document, nb::dict changes) {
-    io::Node tables = document.tables;
-    for (const auto& [key, value] : changes) {
-        const auto name = nb::cast<std::string>(key);
-        io::set_key(tables, name, node_of(value, place_of(Description{})), "");
-    }
-    adopt(std::move(tables), document);
+    change(document, document.tables, changes);
+}
+
+template <class Description>
+const io::TableRecord& format() {
+    return io::format_of([](const io::TableReader& file) { describe(file, Description{}); });
 }
 
 template <class Description>
 std::vector<io::NamedNumber> numbers(const Document<Description>& document) {
-    return io::numbers_in(document.tables,
-                          io::format_of([](const io::TableReader& file) { describe(file, Description{}); }));
+    return io::numbers_in(document.tables, format<Description>());
 }
 
 template <class Description>
@@ -113,13 +116,12 @@ nb::class_<Document<Description>> add_document(nb::module_& module, const char* 
         .def("set", &set<Description>, "changes"_a, "All of them or none; as in a file.")
         .def("get", &get<Description>, "key"_a)
         .def("numbers", &numbers<Description>)
-        .def("tables", [](const D& from) { return object_of(from.tables); })
+        .def("tables",
+             [](const D& from) { return object_of(io::without_overridden(from.tables, format<Description>())); })
         .def_ro("source", &D::source)
         .def_prop_ro("name", [](const D& from) { return from.description.name; });
     return made;
 }
-
-using Channels = std::vector<std::tuple<std::string, std::string, std::string, bool>>;
 
 }  // namespace
 
@@ -153,15 +155,7 @@ void add_documents(nb::module_& module) {
                      })
         .def_prop_ro("is_powered", [](const VehicleDocument& from) { return !from.description.power_units.empty(); })
         .def_prop_ro("total_mass", [](const VehicleDocument& from) { return total_mass(from.description); })
-        .def("channels",
-             [](const VehicleDocument& from) {
-                 nb::list out;
-                 for (const Channel& channel : all_channels(from.description)) {
-                     out.append(nb::make_tuple(channel.column.name, channel.column.unit, channel.column.description,
-                                               channel.standard));
-                 }
-                 return out;
-             })
+        .def("channels", [](const VehicleDocument& from) { return described(all_channels(from.description)); })
         .def(
             "scene", [](const VehicleDocument& from) { return scene_json(from.description, {}); },
             "What the vehicle looks like at design, as JSON.");

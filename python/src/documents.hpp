@@ -14,6 +14,7 @@ struct Document {
     io::Node tables;
     Description description;
     std::string source;  // the file, or "" where there is none
+    int generation = 0;  // of the latest change: it overrides what was said before in another way
 };
 using VehicleDocument = Document<VehicleDescription>;
 using ScenarioDocument = Document<ScenarioDescription>;

@@ -41,26 +41,28 @@ Driven drive(const std::string& name, const VehicleDocument& vehicle, nb::dict c
     const TypedSettings given = typed(chosen);
     Interruption interruption;
     Driven out;
+    // Copies: another thread may change the documents meanwhile.
+    const VehicleDescription driven = vehicle.description;
+    const std::string source = vehicle.source;
+    ManeuverOptions options{.keep_runs = keep_runs, .channels = channels};
+    if (scenario) options.solver = scenario->description.solver, options.road = scenario->description.road;
     {
         const nb::gil_scoped_release release;
-        ManeuverOptions options{.keep_runs = keep_runs, .channels = channels};
-        if (scenario) options.solver = scenario->description.solver, options.road = scenario->description.road;
         options.keep_going = [&](double) { return !interruption.asked(); };
-        const Settings settings =
-            complete_settings(maneuver, vehicle.description, settings_in_numbers(maneuver, vehicle.description, given));
+        const Settings settings = complete_settings(maneuver, driven, settings_in_numbers(maneuver, driven, given));
         out.run = {.maneuver = maneuver.name,
                    .title = maneuver.title,
                    .standard = maneuver.standard,
-                   .vehicle = vehicle.description.name,
-                   .vehicle_file = vehicle.source,
+                   .vehicle = driven.name,
+                   .vehicle_file = source,
                    .settings = {},
                    .step = options.solver.step,
                    .integrator = options.solver.integrator,
                    .program = "Hamilcar " HAMILCAR_VERSION};
-        for (const Setting& setting : maneuver.settings(vehicle.description)) {
+        for (const Setting& setting : maneuver.settings(driven)) {
             out.run.settings.emplace_back(setting, settings.at(setting.name));
         }
-        out.outcome = maneuver.drive(vehicle.description, settings, options);
+        out.outcome = maneuver.drive(driven, settings, options);
     }
     interruption.raise_if_interrupted();
     return out;

@@ -44,4 +44,5 @@ NB_MODULE(_core, module) {
     python::add_simulation(module);
     python::add_batch(module);
     python::add_maneuvers(module);
+    python::add_linear(module);
 }

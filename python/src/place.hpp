@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "hamilcar/engine/rhs_trace.hpp"
 #include "hamilcar/run/simulation.hpp"
 #include "python.hpp"
 
@@ -10,23 +11,26 @@ namespace hamilcar::python {
 
 struct Place {
     Snapshot snapshot;
-    int state_size = 0;
     std::string integrator;
-    double step = 0;  // [s]
+    double step = 0;         // [s]
+    std::vector<int> shape;  // of the model, and who drives
 
     explicit Place(const Simulation& of)
-        : state_size(of.model().vehicle.state_size),
-          integrator(of.scenario().solver.integrator),
-          step(of.scenario().solver.step) {}
+        : integrator(of.scenario().solver.integrator),
+          step(of.scenario().solver.step),
+          shape(numbers_of(of.model()).shape) {
+        const DriverDescription& driver = of.scenario().driver;
+        shape.insert(shape.end(), {of.model().vehicle.state_size, driver.steering.has_value(), driver.speed.has_value(),
+                                   driver.shifting.has_value()});
+        for (const PowerUnitDescription& unit : of.vehicle().power_units) {
+            shape.push_back(static_cast<int>(unit.gearbox.ratios.size()));
+        }
+    }
 
     void expect_of(const Simulation& car) const {
         const Place own(car);
-        if (own.state_size == state_size && own.integrator == integrator && own.step == step) return;
-        throw nb::value_error(
-            fmt::format("this snapshot is of another car: a state of {} numbers, {} with steps of {:g} s; expected {}, "
-                        "{}, {:g} s",
-                        state_size, integrator, step, own.state_size, own.integrator, own.step)
-                .c_str());
+        if (own.shape == shape && own.integrator == integrator && own.step == step) return;
+        throw nb::value_error("this snapshot is of a car of another structure, or of another method or step");
     }
 };
 

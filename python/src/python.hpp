@@ -47,6 +47,7 @@ private:
 class Interruption {
 public:
     bool asked() {
+        if (interrupted_) return true;
         const auto now = std::chrono::steady_clock::now();
         if (now - last_ < std::chrono::milliseconds(50)) return false;
         last_ = now;
@@ -67,5 +68,6 @@ void add_results(nb::module_& module);
 void add_simulation(nb::module_& module);
 void add_batch(nb::module_& module);
 void add_maneuvers(nb::module_& module);
+void add_linear(nb::module_& module);
 
 }  // namespace hamilcar::python

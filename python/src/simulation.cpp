@@ -39,19 +39,23 @@ public:
     // Steps on with the controls moving to their targets, a NaN for one that is left alone. What ended it, or nothing.
     void step(long steps, const Numbers& targets) {
         const Turn turn(busy_);
-        expect_controls(controls_, targets, 1);
+        expect_count(targets, controls_.list().size());
+        expect_targets(controls_, targets.data());
         if (steps < 1) throw nb::value_error("expected at least one step");
         Interruption interruption;
         std::optional<End> end;
         {
             const nb::gil_scoped_release release;
-            move_controls(controls_, targets.data(), simulation_.time(), static_cast<double>(steps) * step_size(),
-                          access());
+            move_controls(controls_, targets.data(), {simulation_.time(), steps, step_size()}, access());
             for (long i = 0; i < steps && !end && !simulation_.ending(); ++i) {
                 end = simulation_.advance();
                 if (i % steps_between_signals == steps_between_signals - 1 && interruption.asked()) break;
             }
-            if (!end) hold_controls(controls_, targets.data(), simulation_.time(), access());
+            if (end || interruption.asked()) {
+                stop_controls(controls_, targets.data(), simulation_.time(), access());
+            } else {
+                hold_controls(controls_, targets.data(), simulation_.time(), access());
+            }
         }
         interruption.raise_if_interrupted();
         if (end) throw io::Error(io::ExitCode::numerical, end->message);
@@ -96,6 +100,23 @@ public:
         go_back(start_);
     }
 
+    double time() const {
+        const Turn turn(busy_);
+        return simulation_.time();
+    }
+    long steps_taken() const {
+        const Turn turn(busy_);
+        return simulation_.steps_taken();
+    }
+    std::optional<std::string> ending() const {
+        const Turn turn(busy_);
+        return simulation_.ending();
+    }
+    std::vector<std::string> warnings() const {
+        const Turn turn(busy_);
+        return simulation_.warnings();
+    }
+
     const Simulation& simulation() const { return simulation_; }
     const std::vector<Channel>& channels() const { return channels_; }
     const DirectControls& controls() const { return controls_; }
@@ -120,16 +141,20 @@ std::tuple<io::PageRun, RunSummary, std::vector<std::string>> run(const VehicleD
                                                                   const ScenarioDocument& scenario,
                                                                   const std::vector<std::string>& channels,
                                                                   double interval, bool motion) {
+    if (!(interval >= 0)) throw nb::value_error("interval: expected a time not below zero [s]");
     Interruption interruption;
     std::tuple<io::PageRun, RunSummary, std::vector<std::string>> out;
+    // Copies: another thread may change the documents meanwhile.
+    VehicleDescription driven = vehicle.description;
+    ScenarioDescription drive = scenario.description;
     {
         const nb::gil_scoped_release release;
-        Simulation simulation(vehicle.description, scenario.description);
+        Simulation simulation(std::move(driven), std::move(drive));
         const std::vector<Channel> all = all_channels(simulation.vehicle());
         std::vector<Channel> chosen = select_channels(all, channels);
         if (motion) add_missing_motion(all, chosen);
         io::PageRun rows{
-            .name = scenario.description.name, .file = "", .columns = {}, .values = {}, .scene = "", .tiles = {}};
+            .name = simulation.scenario().name, .file = "", .columns = {}, .values = {}, .scene = "", .tiles = {}};
         rows.columns.push_back({"time", "s", "time since the start of the run"});
         for (const Channel& channel : chosen) rows.columns.push_back(channel.column);
         rows.values.resize(rows.columns.size());
@@ -143,7 +168,7 @@ std::tuple<io::PageRun, RunSummary, std::vector<std::string>> run(const VehicleD
                 x.push_back(sample.state.position()[0]), y.push_back(sample.state.position()[1]);
             },
             [&](double, const RunSummary&) { return !interruption.asked(); });
-        const bool uneven = motion && scenario.description.road.is_uneven();
+        const bool uneven = motion && simulation.scenario().road.is_uneven();
         rows.tiles = tiles_along(simulation.model().road, uneven ? simulation.surface().get() : nullptr, x, y);
         std::vector<std::string> warnings = simulation.warnings();
         for (const ValidityWarning& warning : summary.validity) warnings.push_back(sentence(warning));
@@ -151,15 +176,6 @@ std::tuple<io::PageRun, RunSummary, std::vector<std::string>> run(const VehicleD
         out = {std::move(rows), std::move(summary), std::move(warnings)};
     }
     interruption.raise_if_interrupted();
-    return out;
-}
-
-nb::list described(const std::vector<Channel>& channels) {
-    nb::list out;
-    for (const Channel& channel : channels) {
-        out.append(
-            nb::make_tuple(channel.column.name, channel.column.unit, channel.column.description, channel.standard));
-    }
     return out;
 }
 
@@ -196,11 +212,11 @@ void add_simulation(nb::module_& module) {
              [](const Car& car) { return scene_json(car.simulation().vehicle(), car.simulation().scenario()); })
         .def_prop_ro("channels", [](const Car& car) { return described(car.channels()); })
         .def_prop_ro("controls", [](const Car& car) { return described(car.controls()); })
-        .def_prop_ro("time", [](const Car& car) { return car.simulation().time(); })
-        .def_prop_ro("steps_taken", [](const Car& car) { return car.simulation().steps_taken(); })
+        .def_prop_ro("time", &Car::time)
+        .def_prop_ro("steps_taken", &Car::steps_taken)
         .def_prop_ro("step_size", &Car::step_size)
-        .def_prop_ro("ending", [](const Car& car) { return car.simulation().ending(); })
-        .def_prop_ro("warnings", [](const Car& car) { return car.simulation().warnings(); });
+        .def_prop_ro("ending", &Car::ending)
+        .def_prop_ro("warnings", &Car::warnings);
     nb::class_<RunSummary>(module, "RunSummary")
         .def_ro("duration", &RunSummary::duration)
         .def_ro("steps", &RunSummary::steps)

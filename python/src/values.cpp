@@ -9,17 +9,26 @@ namespace {
 constexpr int max_depth = 32;
 constexpr std::size_t most_shown = 60;  // of a value in a message
 
-// One source for all nodes of a call, as for those of a file; its text is what messages quote, one value after the other.
-using Source = std::shared_ptr<io::SourceFile>;
-
 void show(io::Node& node, nb::handle value, const Source& source) {
     const bool is_long =
         nb::isinstance<nb::dict>(value) || (PySequence_Check(value.ptr()) && nb::len(value) > most_shown);
-    const std::string text = is_long ? "..." : nb::cast<std::string>(nb::steal<nb::str>(PyObject_ASCII(value.ptr())));
+    std::string text = "...";
+    if (!is_long) {
+        PyObject* shown = PyObject_ASCII(value.ptr());
+        if (!shown) throw nb::python_error();  // as of integers with more digits than Python prints
+        text = nb::cast<std::string>(nb::steal<nb::str>(shown));
+    }
     node.file = source;
     node.key_begin = node.begin = {0, 1 + source->text.size()};  // line 0: in no file
     source->text += text;
     node.end = {0, 1 + source->text.size()};
+}
+
+std::string text_of(nb::handle text) {
+    Py_ssize_t size = 0;
+    const char* bytes = PyUnicode_AsUTF8AndSize(text.ptr(), &size);
+    if (!bytes) throw nb::python_error();  // half a character
+    return {bytes, static_cast<std::size_t>(size)};
 }
 
 io::Node convert(nb::handle value, const Source& source, int depth) {
@@ -30,13 +39,13 @@ io::Node convert(nb::handle value, const Source& source, int depth) {
     if (nb::isinstance<nb::bool_>(value)) {
         node.value = nb::cast<bool>(value);
     } else if (nb::isinstance<nb::str>(value)) {
-        node.value = nb::cast<std::string>(value);
+        node.value = text_of(value);
     } else if (nb::isinstance<nb::dict>(value)) {
         io::TableValue table;
         for (const auto& [key, entry] : nb::borrow<nb::dict>(value)) {
             if (!nb::isinstance<nb::str>(key)) throw nb::type_error("keys of a table must be texts");
             table.entries.push_back(convert(entry, source, depth + 1));
-            table.entries.back().key = nb::cast<std::string>(key);
+            table.entries.back().key = text_of(key);
         }
         node.value = std::move(table);
     } else if (nb::isinstance<nb::list>(value) || nb::isinstance<nb::tuple>(value)) {
@@ -59,8 +68,12 @@ io::Node convert(nb::handle value, const Source& source, int depth) {
 
 }  // namespace
 
-io::Node node_of(nb::handle value, const std::string& place) {
-    return convert(value, std::make_shared<io::SourceFile>(io::SourceFile{place, "", -1}), 0);
+io::Node node_of(nb::handle value, const Source& source) {
+    return convert(value, source, 0);
+}
+
+Source typed_in(const std::string& place, int generation) {
+    return std::make_shared<io::SourceFile>(io::SourceFile{place, "", generation});
 }
 
 nb::object object_of(const io::Node& node) {

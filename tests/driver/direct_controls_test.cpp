@@ -55,7 +55,7 @@ TEST(DirectControls, TurnTheSteeringFromRestToRest) {
     Controlled car;
     const std::size_t wheel = car.place("steering_wheel");
     const double per_angle = car.vehicle.steering.rack_per_revolution / (2 * std::numbers::pi);
-    car.controls.move(wheel, 0.5, 1.0, 0.02, car.schedule, nullptr);
+    car.controls.move(wheel, 0.5, {1.0, 20, 1e-3}, car.schedule, nullptr);
     EXPECT_NEAR(car.rack(1.0).value, 0, 1e-15);
     EXPECT_NEAR(car.rack(1.0).rate, 0, 1e-15);
     EXPECT_NEAR(car.rack(1.01).value, 0.25 * per_angle, 1e-12);
@@ -64,17 +64,30 @@ TEST(DirectControls, TurnTheSteeringFromRestToRest) {
     EXPECT_NEAR(car.rack(1.02).rate, 0, 1e-9);
     car.controls.hold(wheel, 0.5, 1.02, car.schedule, nullptr);
     for (const double time : {1.02, 1.03, 50.0}) EXPECT_EQ(car.controls.value(wheel, time, car.schedule), 0.5) << time;
-    car.controls.move(wheel, -0.5, 1.02, 0.02, car.schedule, nullptr);
+    car.controls.move(wheel, -0.5, {1.02, 20, 1e-3}, car.schedule, nullptr);
     EXPECT_NEAR(car.rack(1.02).value, 0.5 * per_angle, 1e-15);
     EXPECT_NEAR(car.controls.value(wheel, 1.03, car.schedule), 0, 1e-12);
+}
+
+TEST(DirectControls, TurnTheSteeringEvenlyFromStepToStep) {
+    Controlled car;
+    const std::size_t wheel = car.place("steering_wheel");
+    const double per_angle = car.vehicle.steering.rack_per_revolution / (2 * std::numbers::pi);
+    for (int i = 0; i < 10; ++i) {
+        const double time = 1e-3 * i;
+        car.controls.move(wheel, 0.01 * (i + 1), {time, 1, 1e-3}, car.schedule, nullptr);
+        EXPECT_NEAR(car.rack(time).rate, 10 * per_angle, 1e-9);
+        EXPECT_NEAR(car.rack(time).value, 0.01 * i * per_angle, 1e-12);
+        car.controls.hold(wheel, 0.01 * (i + 1), time + 1e-3, car.schedule, nullptr);
+    }
 }
 
 TEST(DirectControls, MovePedalsEvenlyAndGearsAtOnce) {
     ScenarioDescription powered = test::scenario(5);
     powered.throttle = {{0}, {0}};
     Controlled car(powered);
-    car.controls.move(car.place("throttle"), 0.8, 2, 0.1, car.schedule, nullptr);
-    car.controls.move(car.place("gear"), 3, 2, 0.1, car.schedule, nullptr);
+    car.controls.move(car.place("throttle"), 0.8, {2, 100, 1e-3}, car.schedule, nullptr);
+    car.controls.move(car.place("gear"), 3, {2, 100, 1e-3}, car.schedule, nullptr);
     EXPECT_NEAR(car.schedule(2.025).throttle, 0.2, 1e-12);
     EXPECT_NEAR(car.schedule(2.1).throttle, 0.8, 1e-12);
     EXPECT_EQ(car.schedule(2).gear, 3);
@@ -102,9 +115,13 @@ TEST(DirectControls, AskTheDriverWhoShiftsForTheThrottle) {
     const DirectControls controls(test::shipped_car(), scenario, drive.schedule);
     const std::size_t throttle = 1;
     ASSERT_EQ(controls.list()[throttle].name, "throttle");
-    controls.move(throttle, 0.6, drive.time(), 0.02, drive.schedule, &drive.driver);
     bool cut = false;
-    drive.go(12, [&] { cut = cut || drive.value(Control::throttle) < 0.1; });
+    for (int i = 0; i < 600; ++i) {  // asked again and again, as by a controller: a gear change goes on all the same
+        controls.move(throttle, 0.6, {drive.time(), 20, 1e-3}, drive.schedule, &drive.driver);
+        drive.go(0.02, [&] { cut = cut || drive.value(Control::throttle) < 0.1; });
+        controls.hold(throttle, 0.6, drive.time(), drive.schedule, &drive.driver);
+        if (i == 50) cut = false;  // the start
+    }
     EXPECT_NEAR(drive.value(Control::throttle), 0.6, 1e-9);
     EXPECT_GT(drive.value(Control::gear), 1);
     EXPECT_GT(drive.car.speed, 10);

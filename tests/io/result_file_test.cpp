@@ -246,6 +246,31 @@ TEST_F(ForeignResults, OfARoadHoldItsTiles) {
     expect_error(path, ExitCode::bad_file, "header asks for more than the file holds");
 }
 
+// Records in the place of two dimensions: the shape told of 65 times what was read.
+TEST_F(ForeignResults, OfARoadHaveRecordsOnlyOnce) {
+    const std::string path = write(2, {{scene_attribute, scene("true")}});
+    int id = 0, tile = 0, two = 0, index = 0, height = 0;
+    ASSERT_EQ(nc_create(tiles_beside(path).c_str(), NC_CLOBBER, &id), NC_NOERR);
+    nc_def_dim(id, "tile", NC_UNLIMITED, &tile), nc_def_dim(id, "two", 2, &two);
+    const std::array<int, 2> pair{tile, two};
+    nc_def_var(id, "index", NC_INT, 2, pair.data(), &index);
+    nc_def_var(id, "height", NC_FLOAT, 2, pair.data(), &height);
+    nc_close(id);
+    std::string bytes = read_file(tiles_beside(path));
+    const std::size_t dimensions = bytes.find("height") + 6 + 2 + 4;
+    for (std::size_t i = 0; i < 4; ++i) bytes[dimensions + 4 + i] = 0;  // the first dimension again
+    folder_.write("results.road", bytes);
+    expect_error(path, ExitCode::bad_file, "records are a variable's first dimension");
+}
+
+TEST_F(ForeignResults, LackNoByteOfTheirLastNumber) {
+    const std::string whole = read_file(write(3));
+    for (std::size_t cut = 1; cut <= 3; ++cut) {
+        expect_error(folder_.write("cut.nc", whole.substr(0, whole.size() - cut)), ExitCode::bad_file,
+                     "more than the file of");
+    }
+}
+
 TEST_F(ForeignResults, HaveAShallowSceneWithARoadThatIsOneOrNot) {
     std::string text = scene("false");
     text.insert(1, "\"x\": " + std::string(100'000, '[') + std::string(100'000, ']') + ", ");

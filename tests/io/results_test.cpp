@@ -277,6 +277,11 @@ TEST(Netcdf, RefusesANameTheFormatCannotHold) {
             open_netcdf(folder / "r.nc", {{"a/b", "m", ""}}, "");
         },
         ExitCode::input_output, {"cannot define a/b"});
+    expect_error(
+        [&] {
+            open_netcdf(folder / "r.nc", {{"a", "m", ""}, {"a", "m", ""}}, "");
+        },
+        ExitCode::input_output, {"cannot define a: another has this name"});
     EXPECT_FALSE(std::filesystem::exists(folder / "r.nc"));
 }
 

@@ -12,7 +12,7 @@ namespace hamilcar {
 namespace {
 
 Channel channel(const char* name) {
-    return {{name, "m", "of a test"}, {}};
+    return {{name, "m", "of a test"}, [](const Sample&) { return 0.0; }};
 }
 
 io::PageRun replay_of(int rows, std::size_t most) {
