@@ -16,7 +16,7 @@ import hamilcar
 
 CHANNELS = [
     "chassis.speed", "chassis.lateral_speed", "chassis.yaw_rate", "chassis.position.x", "chassis.position.y", "chassis.angle.yaw",
-    "chassis.angle.roll", "chassis.longitudinal_acceleration", "chassis.lateral_acceleration", "input.steering_wheel",
+    "chassis.angle.roll", "chassis.longitudinal_acceleration", "chassis.lateral_acceleration", "input.rack",
     "front_left.tire.slip_angle", "rear_left.tire.slip_angle",
 ]
 

@@ -33,7 +33,7 @@ public:
           integrator_(settings.method, settings.step, static_cast<int>(size_), 0, Numbers(size_)),
           driver_(lanes_),
           clocks_(static_cast<std::size_t>(lanes_)),
-          times_(static_cast<std::size_t>(lanes_)),
+          times_{std::vector<double>(static_cast<std::size_t>(lanes_))},
           lane_states_(cars.size()) {
         for (int i = 0; i < lanes_; ++i) {
             put(i, cars[static_cast<std::size_t>(i) < cars.size() ? static_cast<std::size_t>(i) : 0]);
@@ -66,6 +66,7 @@ public:
         if (!past) return;
         const int order = settings_.method.order;
         clocks_[static_cast<std::size_t>(lane)] = {step_count_ - past->steps, past->rates.remembered};
+        compare_clocks();
         for (int back = 0; back < past->rates.remembered; ++back) {
             const auto at = static_cast<std::size_t>((past->rates.newest + order - back) % order);
             set_lane(integrator_.past(back), lane, past->rates.past[at]);
@@ -125,13 +126,22 @@ private:
         driver_.set_schedule(lane, *car.schedule);
         set_lane(now_, lane, *car.state);
         clocks_[static_cast<std::size_t>(lane)] = {step_count_, 0};
+        compare_clocks();
+    }
+    void compare_clocks() {
+        times_.same = std::ranges::all_of(clocks_, [&](const Clock& one) { return one.start == clocks_[0].start; });
+        steps_to_watch_ = remembers() ? settings_.method.order : 0;
     }
 
     void set_times() {
-        for (int i = 0; i < lanes_; ++i) times_[static_cast<std::size_t>(i)] = time(i);
+        if (times_.same) {
+            std::ranges::fill(times_.at, time(0));
+        } else {
+            for (int i = 0; i < lanes_; ++i) times_.at[static_cast<std::size_t>(i)] = time(i);
+        }
     }
     // So far ahead of `times_` [s].
-    typename LaneRhs<E>::Input inputs_at(double ahead) { return {driver_(times_.data(), ahead), times_.data(), ahead}; }
+    typename LaneRhs<E>::Input inputs_at(double ahead) { return {driver_(times_, ahead), times_.at.data(), ahead}; }
 
     bool remembers() const {
         return settings_.method.family == MethodFamily::adams_bashforth ||
@@ -143,13 +153,13 @@ private:
     void advance_once() {
         set_times();
         const auto input_at = [this](double ahead) { return inputs_at(ahead); };
-        const bool starting = std::ranges::any_of(clocks_, [&](const Clock& clock) { return is_starting(clock); });
-        if (remembers()) integrator_.assume_past();
+        if (steps_to_watch_ > 0) integrator_.assume_past();
         integrate(rhs_, integrator_, input_at, 0, now_, next_, first_, further_);
-        if (starting) [[unlikely]]
-            start_cars(input_at);
-        if (remembers()) {
+        if (steps_to_watch_ > 0) [[unlikely]] {
+            if (std::ranges::any_of(clocks_, [&](const Clock& clock) { return is_starting(clock); }))
+                start_cars(input_at);
             for (Clock& clock : clocks_) clock.remembered = std::min(clock.remembered + 1, settings_.method.order);
+            --steps_to_watch_;
         }
         std::swap(now_, next_);  // from here on `next_` is the previous state
         if (!all_good()) [[unlikely]]
@@ -238,6 +248,7 @@ private:
             rhs_.copy_car(from, i);
             driver_.copy_schedule(from, i);
             clocks_[own] = clocks_[static_cast<std::size_t>(from)];
+            compare_clocks();
             copy_lane(now_, lanes_, from, i);
             integrator_.change_past([&](Numbers& past) { copy_lane(past, lanes_, from, i); });
             if (!vacant) lane_states_[own].parked = true;
@@ -255,7 +266,8 @@ private:
     Integrator<Numbers> integrator_;
     LaneDriver<E> driver_;
     std::vector<Clock> clocks_;           // of the lanes
-    std::vector<double> times_;           // of the lanes at the present step [s]
+    LaneTimes times_;                     // at the present step
+    int steps_to_watch_ = 0;              // after these every car has the past that the method uses
     std::vector<LaneState> lane_states_;  // of the cars
     struct Starter {
         Integrator<Numbers> integrator;

@@ -12,6 +12,12 @@
 
 namespace hamilcar {
 
+// Of the lanes, each its own [s]; mostly they are the same.
+struct LaneTimes {
+    std::vector<double> at;
+    bool same = true;
+};
+
 template <class E>
 class LaneDriver {
 public:
@@ -24,18 +30,13 @@ public:
 
     void set_schedule(int lane, const Schedule& schedule) {
         schedules_[static_cast<std::size_t>(lane)] = &schedule;
-        valid_[static_cast<std::size_t>(lane)] = {1, 0};
+        valid_[static_cast<std::size_t>(lane)] = all_valid_ = {1, 0};
     }
     void copy_schedule(int from, int to) { set_schedule(to, *schedules_[static_cast<std::size_t>(from)]); }
 
     // The RhsInput of all lanes, so far ahead of the times of each [s].
-    const LaneNumbers<E>& operator()(const double* times, double ahead) {
-        bool all_valid = true;
-        for (std::size_t i = 0; i < lanes_; ++i) {
-            const double time = times[i] + ahead;
-            all_valid &= valid_[i].begin <= time && time < valid_[i].end;
-        }
-        if (!all_valid) fetch(times, ahead);
+    const LaneNumbers<E>& operator()(const LaneTimes& times, double ahead) {
+        if (!is_valid(times, ahead)) fetch(times, ahead);
         for (std::size_t control = 0; control < control_count; ++control) {
             if (!constant_[control]) evaluate(control, times, ahead);
         }
@@ -51,6 +52,7 @@ private:
     };
     struct Interval {
         double begin = 1, end = 0;  // of the lane's own time [s]
+        bool holds(double time) const { return begin <= time && time < end; }
     };
     struct Piece {
         SignalPiece<E> piece;
@@ -62,11 +64,23 @@ private:
         RhsInput::rack,   RhsInput::drive_torque, RhsInput::brake,  RhsInput::throttle,
         RhsInput::clutch, RhsInput::gear,         RhsInput::wind_x, RhsInput::wind_y};
 
-    void evaluate(std::size_t control, const double* times, double ahead) {
+    bool is_valid(const LaneTimes& times, double ahead) const {
+        if (times.same) return all_valid_.holds(times.at[0] + ahead);
+        bool valid = true;
+        for (std::size_t i = 0; i < lanes_; ++i) valid &= valid_[i].holds(times.at[i] + ahead);
+        return valid;
+    }
+
+    void evaluate(std::size_t control, const LaneTimes& times, double ahead) {
+        if (times.same) return evaluate(control, [t = Parts(times.at[0] + ahead)](std::size_t) { return t; });
+        evaluate(control, [&](std::size_t lane) { return Parts(times.at[lane] + ahead); });
+    }
+    template <class TimeOf>
+    void evaluate(std::size_t control, const TimeOf& time_of) {
         const Piece* piece = &pieces_[control * lanes_];
         E* to = inputs_.data() + static_cast<std::size_t>(first_input[control]) * lanes_;
         for (std::size_t i = 0; i < lanes_; ++i) {
-            const Parts t(times[i] + ahead);
+            const Parts t = time_of(i);
             const SignalValue<E> value =
                 piece[i].piece.at((t.high - piece[i].start_high) + (t.low - piece[i].start_low));
             to[i] = value.value;
@@ -76,19 +90,22 @@ private:
         }
     }
 
-    void fetch(const double* times, double ahead) {
+    void fetch(const LaneTimes& times, double ahead) {
         constexpr double endless = std::numeric_limits<double>::infinity();
         std::ranges::fill(valid_, Interval{-endless, endless});
+        all_valid_ = {-endless, endless};
         for (std::size_t control = 0; control < control_count; ++control) {
             constant_[control] = true;
-            for (std::size_t i = 0; i < lanes_; ++i) fetch(control, i, times[i] + ahead);
+            for (std::size_t i = 0; i < lanes_; ++i) fetch(control, i, times.at[i] + ahead);
             evaluate(control, times, ahead);
         }
     }
     void fetch(std::size_t control, std::size_t lane, double time) {
         const Signal::Span& span = schedules_[lane]->signal(static_cast<Control>(control)).piece_at(time);
-        valid_[lane].begin = std::max(valid_[lane].begin, span.begin);
-        valid_[lane].end = std::min(valid_[lane].end, span.end);
+        for (Interval* interval : {&valid_[lane], &all_valid_}) {
+            interval->begin = std::max(interval->begin, span.begin);
+            interval->end = std::min(interval->end, span.end);
+        }
         constant_[control] = constant_[control] && span.piece.inverse_duration == 0;
         const Parts start(span.start());
         const auto number = [](double value) { return static_cast<E>(value); };
@@ -101,6 +118,7 @@ private:
     std::size_t lanes_;
     std::vector<const Schedule*> schedules_;
     std::vector<Interval> valid_;                 // the pieces below
+    Interval all_valid_;                          // in all lanes, where their times are the same
     std::vector<Piece> pieces_;                   // control by control
     std::array<bool, control_count> constant_{};  // in all lanes, while their pieces are valid
     LaneNumbers<E> inputs_;
