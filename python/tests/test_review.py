@@ -95,7 +95,7 @@ def test_a_vehicle_may_change_while_another_thread_drives_it(car):
         i = 0
         while not done.is_set():
             i += 1
-            car.update({"name": f"car {i}" * (i % 50), "chassis.mass_kg": 1000.0 + i % 9})
+            car.update({"name": f"car {i}" * (1 + i % 50), "chassis.mass_kg": 1000.0 + i % 9})
 
     thread = threading.Thread(target=change)
     thread.start()
