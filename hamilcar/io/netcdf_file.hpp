@@ -43,8 +43,7 @@ public:
     void rename(const std::string& path) { path_ = path; }
     bool is_open() const { return file_ != nullptr; }
 
-    // The next numbers, of one variable after the other and then of record after record; each variable of fixed size ends in
-    // `pad`. `action` is for messages: "write row at t = 1 s". After an error the file is closed.
+    // The next numbers, padded, of one variable after the other and then of record after record. `action` is for messages: "write row at t = 1 s". After an error the file is closed.
     void write(std::string_view bytes, std::string_view action);
     // So many records are complete. For others to see.
     void flush(std::uint64_t records, std::string_view action);

@@ -6,6 +6,7 @@ import json
 import os
 from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
+from math import degrees
 from pathlib import Path
 from typing import Any, Union
 
@@ -227,8 +228,6 @@ def as_scenario(
     energy_balance: bool | None,
 ) -> Scenario:
     """The scenario with what was asked for beside it; without one: a plane, straight ahead."""
-    from math import degrees
-
     if scenario is None:
         size = 1e-3 if step is None else step
         tables: dict[str, Any] = {

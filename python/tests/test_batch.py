@@ -139,14 +139,7 @@ def test_single_precision_is_near(car):
     assert np.allclose(one["chassis.position.x"], other["chassis.position.x"], atol=0.05)
 
 
-def test_scenarios_of_batches_have_drivers(car):
-    driven = {
-        "name": "driven", "vehicle": car.source, "duration_s": 9.0, "initial": {"velocity_m_per_s": 10.0},
-        "driver": {
-            "path": {"x_m": [0.0, 30.0, 60.0, 200.0], "y_m": [0.0, 0.0, 3.0, 3.0]},
-            "speed": {"speed_m_per_s": 12.0}, "gear": {},
-        },
-    }
+def test_scenarios_of_batches_have_drivers(car, driven):
     batch = hamilcar.Batch(car, 3, driven)
     alone = hamilcar.Simulation(car, driven)
     batch.step(2500), alone.step(2500)

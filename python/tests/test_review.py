@@ -146,14 +146,7 @@ def test_snapshots_of_another_gearbox_are_refused(car):
         hamilcar.Simulation(car, speed=20.0, step=5e-4).restore(place)
 
 
-def test_a_rollout_without_controls_is_time_all_the_same(car):
-    driven = {
-        "name": "driven", "vehicle": car.source, "duration_s": 9.0, "initial": {"velocity_m_per_s": 10.0},
-        "driver": {
-            "path": {"x_m": [0.0, 30.0, 60.0, 200.0], "y_m": [0.0, 0.0, 3.0, 3.0]},
-            "speed": {"speed_m_per_s": 12.0}, "gear": {},
-        },
-    }
+def test_a_rollout_without_controls_is_time_all_the_same(car, driven):
     batch = hamilcar.Batch(car, 3, driven)
     assert batch.control_names == []
     rolled = batch.rollout(np.zeros((5, 3, 0)), steps=20, record=["chassis.position.x"])
