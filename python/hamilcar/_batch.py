@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any, Union
 
 import numpy as np
@@ -15,6 +16,17 @@ from ._simulation import Channels, ControlTargets
 Which = Union[None, int, Sequence[int], np.ndarray]
 
 
+_FRICTION = "road.friction"  # the only number of the scenario that cars of a batch may differ in
+
+
+@dataclass(frozen=True)
+class Start:
+    """A car at its start, made by ``Batch.prepare``; ``numbers``: in what it differs from the batch's vehicle."""
+
+    _core: _core.Start
+    numbers: Mapping[str, float]
+
+
 class Batch:
     """``count`` cars that share vehicle, scenario and step; each has its own controls, time and, of what ``vary`` names, its own
     numbers. A car has the same bits here as in a Simulation of its own.
@@ -25,7 +37,7 @@ class Batch:
     >>> batch.step(20, steering_wheel=np.linspace(-1, 1, 1024))
     >>> batch["chassis.yaw_rate"]
 
-    ``threads``: 0 for all of the machine. ``precision``: "double", or "single" for twice as many cars a second with seven digits
+    ``vary`` names numbers of the vehicle, and ``"road.friction"``. ``threads``: 0 for all of the machine. ``precision``: "double", or "single" for twice as many cars a second with seven digits
     in the place of sixteen. ``tilt_limit``: a car ends when it leans further [rad]; 0 for never. The rest is as in Simulation.
     """
 
@@ -59,37 +71,76 @@ class Batch:
             self.vehicle, scenario, speed=speed, position=position, yaw=yaw, friction=friction, step=step,
             integrator=integrator, powered=powered, energy_balance=energy_balance,
         )
-        self._varied = {name: np.full(count, float(self.vehicle[name])) for name in vary}
+        self._numbers = self.vehicle.numbers()
+        self._nominals = {name: self._nominal(name) for name in vary}
+        self._varied = {name: np.full(count, value) for name, value in self._nominals.items()}
         self._applied = {name: values.copy() for name, values in self._varied.items()}
-        self._fleet = _core.Fleet(
-            [self.vehicle._core] * count, self.scenario._core, [v._core for v in self._variants()], threads,
-            precision == "single", tilt_limit,
-        )
+        start = self.prepare()
+        variants = [self.prepare(changes)._core for changes in self._variants()]
+        self._fleet = _core.Fleet([start._core] * count, variants, threads, precision == "single", tilt_limit)
         self._count = count
         self._controls = ControlTargets(self._fleet.controls)
         self._channels = Channels(self._fleet.channels)
 
-    def _variants(self) -> list[Vehicle]:
-        """Vehicles that differ in all that may be varied, each by a share of its own, so that the program takes it from each car."""
+    def _nominal(self, name: str) -> float:
+        if name != _FRICTION:
+            return float(self.vehicle[name])
+        said = self.scenario.numbers().get(name)
+        return said.value if said else 1.0
+
+    def _variants(self) -> list[dict[str, float]]:
+        """Changes in all that may be varied, each by a share of its own, so that the program takes it from each car."""
         if not self._varied:
             return []
-        numbers = self.vehicle.numbers()
         out = []
         for sign in (1, -1):
             changes: dict[str, float] = {}
             for i, name in enumerate(self._varied):
-                about, value = numbers.get(name), self._varied[name][0]
+                about, value = self._numbers.get(name), self._nominals[name]
                 if about is not None and about.is_whole:
                     raise ValueError(f"{name} counts something: cars of a batch share it")
                 share = sign * 0.01 * (1 + 0.37 * i / (1 + i))
                 other = value * (1 + share) if value != 0 else share
                 changes[name] = other if about is None or about.min <= other <= about.max else value
                 try:
-                    self.vehicle.changed(changes)
+                    self._changed({name: other})
                 except InputError as error:
                     raise ValueError(f"{name} cannot vary by itself: others must fit to it ({error})") from error
-            out.append(self.vehicle.changed(changes))
+            out.append(changes)
         return out
+
+    def _changed(self, changes: Mapping[str, Any]) -> tuple[Vehicle, Scenario]:
+        of_road = {_FRICTION: changes[_FRICTION]} if _FRICTION in changes else {}
+        others = {name: value for name, value in changes.items() if name != _FRICTION}
+        return (
+            self.vehicle.changed(others) if others else self.vehicle,
+            self.scenario.changed(of_road) if of_road else self.scenario,
+        )
+
+    def prepare(
+        self,
+        changes: Mapping[str, Any] | None = None,
+        *,
+        scenario: Mapping[str, Any] | None = None,
+        speed: float | None = None,
+        position: tuple[float, float] | None = None,
+        yaw: float | None = None,
+        friction: float | None = None,
+    ) -> Start:
+        """A car at its start, for ``reset(which, starts=[...])``: with ``changes`` of what ``vary`` names, of the scenario's start
+        and of its road. Made once, in some milliseconds; cars then begin there at no cost."""
+        numbers = dict(changes or {})
+        if friction is not None:
+            numbers[_FRICTION] = friction
+        for name in numbers:
+            if name not in self._varied:
+                raise KeyError(f"{name!r} is not varied: name it in Batch(vary=[...])")
+        vehicle, own = self._changed(numbers)
+        own = as_scenario(
+            vehicle, own.changed(scenario or {}), speed=speed, position=position, yaw=yaw, friction=None, step=None,
+            integrator=None, powered=None, energy_balance=None,
+        )
+        return Start(_core.Start(vehicle._core, own._core), {name: float(value) for name, value in numbers.items()})
 
     def __len__(self) -> int:
         return self._count
@@ -177,20 +228,37 @@ class Batch:
 
     def vehicle_of(self, car: int) -> Vehicle:
         """The vehicle that a car has after its next reset."""
-        return self.vehicle.changed({name: float(values[car]) for name, values in self._varied.items()})
+        return self._changed(self._row(car))[0]
 
-    def reset(self, which: Which = None) -> None:
+    def _row(self, car: int) -> dict[str, float]:
+        return {name: float(values[car]) for name, values in self._varied.items()}
+
+    def reset(self, which: Which = None, starts: Start | Sequence[Start] | None = None) -> None:
         """Cars are again at their start, at time 0 of their own, with the numbers that ``expand`` holds; all of them, or those of
-        a mask or a list."""
+        a mask or a list. ``starts``: where they begin instead, and with which numbers, from then on; one for each car or one for
+        all."""
+        cars = self._cars(which)
+        if starts is not None:
+            return self._begin(cars, [starts] * len(cars) if isinstance(starts, Start) else list(starts))
         changed: list[int] = []
         same: list[int] = []
-        for car in self._cars(which):
+        for car in cars:
             differs = any(values[car] != self._applied[name][car] for name, values in self._varied.items())
             (changed if differs else same).append(car)
-        self._fleet.replace(changed, [self.vehicle_of(car)._core for car in changed])  # all of them or none
+        self._fleet.replace(changed, [self.prepare(self._row(car))._core for car in changed])  # all of them or none
         for name, values in self._varied.items():
             self._applied[name][changed] = values[changed]
         self._fleet.restart(same)
+
+    def _begin(self, cars: list[int], starts: list[Start]) -> None:
+        if len(starts) != len(cars):
+            raise ValueError(f"{len(starts)} starts: expected one for each of {len(cars)} cars")
+        if not all(isinstance(start, Start) for start in starts):
+            raise TypeError("starts: expected what Batch.prepare made")
+        self._fleet.replace(cars, [start._core for start in starts])
+        for name, values in self._varied.items():
+            values[cars] = [start.numbers.get(name, self._nominals[name]) for start in starts]
+            self._applied[name][cars] = values[cars]
 
     def __getitem__(self, channel: str) -> np.ndarray:
         return self._fleet.values(self._channels.places([channel]))[:, 0]

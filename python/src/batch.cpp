@@ -5,17 +5,16 @@
 #include <map>
 
 #include "controls.hpp"
-#include "documents.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/run/channels.hpp"
 #include "place.hpp"
+#include "start.hpp"
 
 namespace hamilcar::python {
 
 namespace {
 
 using Cars = std::vector<std::size_t>;
-using Vehicles = std::vector<const VehicleDocument*>;
 
 const char* word(EndReason reason) {
     switch (reason) {
@@ -33,24 +32,15 @@ constexpr long steps_between_signals = 100;  // Ctrl-C is asked for in between
 
 class Fleet {
 public:
-    // A vehicle for each car; `variants`: others that cars may become.
-    Fleet(const Vehicles& vehicles, const ScenarioDocument& scenario, const Vehicles& variants, int threads,
-          bool single_precision, double tilt_limit)
-        : scenario_(scenario.description) {
-        if (vehicles.empty()) throw nb::value_error("expected at least one car");
-        std::map<const VehicleDocument*, std::shared_ptr<const Car>> made;  // one for all cars of one vehicle
-        for (const VehicleDocument* vehicle : vehicles) {
-            std::shared_ptr<const Car>& car = made[vehicle];
-            if (!car) car = make(vehicle);
-            cars_.push_back(car);
-        }
+    // One for each car; `variants`: others that cars may become.
+    Fleet(Starts starts, const Starts& variants, int threads, bool single_precision, double tilt_limit)
+        : cars_(std::move(starts)) {
+        if (cars_.empty()) throw nb::value_error("expected at least one car");
+        expect_starts(cars_), expect_starts(variants);
         BatchOptions options{.threads = threads,
                              .precision = single_precision ? Precision::single_precision : Precision::double_precision,
                              .tilt_limit = tilt_limit};
-        std::vector<std::shared_ptr<const Car>> others;
-        for (const VehicleDocument* vehicle : variants) {
-            options.variants.push_back(&others.emplace_back(make(vehicle))->simulation);
-        }
+        for (const auto& variant : variants) options.variants.push_back(&variant->simulation);
         std::vector<const Simulation*> all;
         for (const auto& car : cars_) all.push_back(&car->simulation);
         batch_.emplace(all, options);
@@ -59,7 +49,7 @@ public:
     std::size_t size() const { return cars_.size(); }
     const DirectControls& controls() const { return cars_[0]->controls; }
     const std::vector<Channel>& channels() const { return cars_[0]->channels; }
-    double step_size() const { return scenario_.solver.step; }
+    double step_size() const { return cars_[0]->simulation.scenario().solver.step; }
 
     void step(long steps, const Numbers& targets) {
         const Turn turn(busy_);
@@ -117,22 +107,21 @@ public:
         const Turn turn(busy_);
         for (const std::size_t car : cars) batch_->restart(check(car));
     }
-    // All of them or, where one cannot be made or does not fit, none.
-    void replace(const Cars& cars, const Vehicles& vehicles) {
+    // All of them or, where one does not fit, none.
+    void replace(const Cars& cars, const Starts& starts) {
         const Turn turn(busy_);
-        if (cars.size() != vehicles.size()) throw nb::value_error("expected a vehicle for each car");
-        std::vector<std::shared_ptr<const Car>> made;
+        if (cars.size() != starts.size()) throw nb::value_error("expected a start for each car");
+        expect_starts(starts);
         for (std::size_t i = 0; i < cars.size(); ++i) {
-            made.push_back(make(vehicles[i]));
-            const std::string obstacle = batch_->obstacle_to_replace(check(cars[i]), made.back()->simulation);
+            const std::string obstacle = batch_->obstacle_to_replace(check(cars[i]), starts[i]->simulation);
             if (!obstacle.empty()) {
                 throw nb::value_error(
-                    fmt::format("car {} cannot have these numbers in this batch: {}", cars[i], obstacle).c_str());
+                    fmt::format("car {} cannot begin like this in this batch: {}", cars[i], obstacle).c_str());
             }
         }
         for (std::size_t i = 0; i < cars.size(); ++i) {
-            batch_->replace(cars[i], made[i]->simulation);
-            cars_[cars[i]] = made[i];
+            batch_->replace(cars[i], starts[i]->simulation);
+            cars_[cars[i]] = starts[i];
         }
     }
     std::vector<std::unique_ptr<Place>> save(const Cars& cars) const {
@@ -174,20 +163,6 @@ public:
     std::string engine() const { return std::string(batch_->engine()); }
 
 private:
-    // What controls and channels need of a vehicle's description, its steering ratio for one, is its own.
-    struct Car {
-        Simulation simulation;
-        DirectControls controls;
-        std::vector<Channel> channels;
-        Car(const VehicleDescription& vehicle, const ScenarioDescription& scenario)
-            : simulation(vehicle, scenario),
-              controls(simulation.vehicle(), scenario, simulation.schedule()),
-              channels(all_channels(simulation.vehicle())) {}
-    };
-    std::shared_ptr<const Car> make(const VehicleDocument* vehicle) const {
-        return std::make_shared<const Car>(expect_object(vehicle, "a vehicle").description, scenario_);
-    }
-
     std::size_t check(std::size_t car) const {
         if (car >= size()) throw nb::index_error(fmt::format("car {}: the batch has {}", car, size()).c_str());
         return car;
@@ -233,7 +208,7 @@ private:
             const bool ended = batch_->end(car).reason != EndReason::none;
             if (!ended && chosen.all_compiled) return;
             const State<double> state = batch_->state(car);
-            const Car& own = *cars_[car];
+            const Start& own = *cars_[car];
             const Sample sample = sample_at(own.simulation.model(), state, batch_->schedule(car)(batch_->time(car)));
             for (std::size_t k = 0; k < which.size(); ++k) {
                 const Channel& channel = own.channels[which[k]];
@@ -262,8 +237,7 @@ private:
         return selections_.emplace(which, std::move(made)).first->second;
     }
 
-    ScenarioDescription scenario_;
-    std::vector<std::shared_ptr<const Car>> cars_;
+    Starts cars_;
     std::optional<Batch> batch_;
     std::map<std::vector<std::size_t>, Selection> selections_;
     mutable std::atomic<bool> busy_{false};
@@ -272,15 +246,17 @@ private:
 }  // namespace
 
 void add_batch(nb::module_& module) {
+    nb::class_<Start>(module, "Start")
+        .def(nb::init<const VehicleDocument&, const ScenarioDocument&>(), "vehicle"_a, "scenario"_a);
     nb::class_<Fleet>(module, "Fleet")
-        .def(nb::init<const Vehicles&, const ScenarioDocument&, const Vehicles&, int, bool, double>(), "vehicles"_a,
-             "scenario"_a, "variants"_a, "threads"_a, "single_precision"_a, "tilt_limit"_a)
+        .def(nb::init<Starts, const Starts&, int, bool, double>(), "starts"_a, "variants"_a, "threads"_a,
+             "single_precision"_a, "tilt_limit"_a)
         .def("step", &Fleet::step, "steps"_a, "targets"_a.noconvert())
         .def("rollout", &Fleet::rollout, "steps"_a, "targets"_a.noconvert(), "rows"_a, "channels"_a)
         .def("values", &Fleet::values, "channels"_a)
         .def("states", &Fleet::states)
         .def("restart", &Fleet::restart, "cars"_a)
-        .def("replace", &Fleet::replace, "cars"_a, "vehicles"_a)
+        .def("replace", &Fleet::replace, "cars"_a, "starts"_a)
         .def("save", &Fleet::save, "cars"_a)
         .def("restore", &Fleet::restore, "cars"_a, "snapshots"_a)
         .def("ended", &Fleet::ended)

@@ -145,3 +145,36 @@ def test_scenarios_of_batches_have_drivers(car, driven):
     batch.step(2500), alone.step(2500)
     assert np.array_equal(batch.states[2], alone.state)
     assert "steering_wheel" not in batch.control_names  # the driver has it
+
+
+def test_prepared_starts_are_those_of_simulations():
+    batch = hamilcar.Batch("bmw_323i", 9, speed=20.0, powered=False, vary=["chassis.mass_kg", "road.friction"])
+    starts = [
+        batch.prepare({"chassis.mass_kg": 950.0 + 50.0 * i}, speed=10.0 + i, friction=0.5 + 0.1 * i) for i in range(3)
+    ]
+    batch.step(7, steering_wheel=1.0)
+    batch.reset([8, 0, 3], starts)
+    assert batch.expand("chassis.mass_kg")[[8, 0, 3]].tolist() == [950.0, 1000.0, 1050.0]
+    assert batch.expand("road.friction")[1] == 1.0
+    batch.step(60, steering_wheel=2.0, drive_torque=400.0)
+    for i, car in enumerate([8, 0, 3]):
+        vehicle = hamilcar.Vehicle("bmw_323i", {"chassis.mass_kg": 950.0 + 50.0 * i})
+        alone = hamilcar.Simulation(vehicle, speed=10.0 + i, friction=0.5 + 0.1 * i, powered=False)
+        alone.step(60, steering_wheel=2.0, drive_torque=400.0)
+        assert (alone.state == batch.states[car]).all()
+    batch.reset([0])
+    assert batch["chassis.speed"][0] == pytest.approx(11.0)
+
+
+def test_starts_that_do_not_fit_are_refused():
+    batch = hamilcar.Batch("bmw_323i", 2, vary=["chassis.mass_kg"])
+    before = batch.states
+    with pytest.raises(KeyError, match="road.friction"):
+        batch.prepare(friction=0.5)
+    with pytest.raises(ValueError, match="expected one for each of 2 cars"):
+        batch.reset(None, [batch.prepare()])
+    with pytest.raises(TypeError, match="prepare"):
+        batch.reset([0], [None])
+    with pytest.raises(ValueError, match="car 1"):
+        batch.reset([1], hamilcar.Batch("pickup", 1).prepare())
+    assert (batch.states == before).all()
