@@ -17,106 +17,7 @@ std::vector<const Simulation*> pointers(const std::vector<Simulation>& cars) {
     return out;
 }
 
-template <class T>
-std::vector<int> shape(const Linkage<T>& linkage) {
-    std::vector<int> out = linkage.path;
-    for (const auto& f : linkage.coordinates) out.insert(out.end(), {f.slides, f.parent, f.same_point});
-    for (const auto& e : linkage.equations) out.insert(out.end(), {e.plane, e.part, e.base});
-    out.insert(out.end(), linkage.independent.begin(), linkage.independent.end());
-    return out;
-}
-
-std::vector<int> shape(const Suspension<double>& suspension) {
-    std::vector<int> out = shape(suspension.linkage);
-    out.push_back(suspension.unit);
-    for (const auto& body : suspension.bodies) out.push_back(body.frame);
-    for (const auto& wheel : suspension.wheels) {
-        out.insert(out.end(), {wheel.frame, wheel.tires, wheel.reaction, wheel.bar_arm});
-    }
-    const auto add = [&](const auto& elements) {
-        out.push_back(static_cast<int>(elements.size()));
-        for (const auto& element : elements) {
-            out.insert(out.end(), {element.line.part, element.line.base, element.line.coordinate});
-        }
-    };
-    add(suspension.springs), add(suspension.dampers);
-    return out;
-}
-
-std::vector<int> shape(const Powertrain<double>& powertrain) {
-    std::vector<int> out{static_cast<int>(powertrain.units.size())};
-    for (const auto& unit : powertrain.units) {
-        out.insert(out.end(),
-                   {unit.output, static_cast<int>(unit.source.index()), static_cast<int>(unit.gears.ratio.size()),
-                    static_cast<int>(unit.converter.capacity.slope.size())});
-        if (const auto* engine = std::get_if<CombustionEngine<double>>(&unit.source)) {
-            for (const auto& curve : engine->torque) out.push_back(static_cast<int>(curve.slope.size()));
-        }
-    }
-    for (const auto& differential : powertrain.differentials) {
-        out.insert(out.end(), differential.outputs.begin(), differential.outputs.end());
-    }
-    out.insert(out.end(), powertrain.wheels.begin(), powertrain.wheels.end());
-    return out;
-}
-
-std::string vehicle_difference(const Vehicle<double>& a, const Vehicle<double>& b) {
-    if (shape(a.powertrain) != shape(b.powertrain)) return "power units or differentials";
-    if (a.hull.points.size() != b.hull.points.size()) return "number of hull points";
-    if (a.suspensions.size() != b.suspensions.size()) return "number of suspensions";
-    for (std::size_t i = 0; i < a.suspensions.size(); ++i) {
-        const Suspension<double>&one = a.suspensions[i], &other = b.suspensions[i];
-        if (shape(one) != shape(other)) return fmt::format("suspension {}", i + 1);
-        for (std::size_t w = 0; w < one.wheels.size(); ++w) {
-            if (one.wheels[w].tire.index() != other.wheels[w].tire.index()) {
-                return fmt::format("tire model of wheel {}", static_cast<std::size_t>(one.first_wheel) + w + 1);
-            }
-        }
-    }
-    if (a.trailers.size() != b.trailers.size()) return "number of trailers";
-    for (std::size_t i = 0; i < a.trailers.size(); ++i) {
-        if (a.trailers[i].tow != b.trailers[i].tow || shape(a.trailers[i].hitch) != shape(b.trailers[i].hitch)) {
-            return fmt::format("hitch of trailer {}", i + 1);
-        }
-    }
-    const auto ends = [](const AntiRollBar<double>& bar) { return std::pair(bar.left, bar.right); };
-    if (!std::ranges::equal(a.anti_roll_bars, b.anti_roll_bars, {}, ends, ends)) return "anti-roll bars";
-    return {};
-}
-
-std::vector<int> pivots(const Vehicle<double>& vehicle) {
-    std::vector<int> out;
-    for (const Suspension<double>& suspension : vehicle.suspensions) {
-        const Linkage<double>& linkage = suspension.linkage;
-        out.insert(out.end(), linkage.pivot_equation.begin(), linkage.pivot_equation.end());
-        out.insert(out.end(), linkage.pivot_dependent.begin(), linkage.pivot_dependent.end());
-    }
-    return out;
-}
-
-// Whether a car has another number than the one that the program was made with, in a place that is no parameter of it.
-bool differs_in_constant(const RhsProgram& program, const Model<double>& a, const Model<double>& b) {
-    const ModelNumbers one = numbers_of(a), other = numbers_of(b);
-    if (one.shape != other.shape || one.numbers.size() != other.numbers.size()) return true;
-    std::vector<bool> may_differ(one.numbers.size());
-    for (const int parameter : program.parameters) may_differ[static_cast<std::size_t>(parameter)] = true;
-    for (std::size_t i = 0; i < one.numbers.size(); ++i) {
-        if (!may_differ[i] && one.numbers[i] != other.numbers[i]) return true;
-    }
-    return false;
-}
-
 }  // namespace
-
-std::string topology_difference(const Simulation& a, const Simulation& b) {
-    const SolverDescription &x = a.scenario().solver, &y = b.scenario().solver;
-    if (x.integrator != y.integrator) return "integrator";
-    if (x.step != y.step) return "step";
-    if (a.model().chart != b.model().chart) return "chart";
-    if (a.model().constraints != b.model().constraints) return "constraint mode";
-    if (a.model().energy_balance != b.model().energy_balance) return "energy balance";
-    return vehicle_difference(a.model().vehicle, b.model().vehicle);
-}
 
 Batch::Batch(const std::vector<Simulation>& cars, const BatchOptions& options) : Batch(pointers(cars), options) {}
 
@@ -158,14 +59,14 @@ void Batch::assign_slots(const ChunkSettings& settings, Precision precision,
                          const std::vector<const Simulation*>& variants) {
     precision_ = precision;
     std::map<std::vector<int>, std::vector<std::size_t>> groups;
-    for (std::size_t i = 0; i < cars_.size(); ++i) groups[pivots(cars_[i]->model().vehicle)].push_back(i);
+    for (std::size_t i = 0; i < cars_.size(); ++i) groups[elimination_order(cars_[i]->model().vehicle)].push_back(i);
     const auto lanes = static_cast<std::size_t>(engine_->lanes(precision));
     slots_.resize(cars_.size());
     for (const auto& [order, group] : groups) {
         std::vector<const Model<double>*> models;
         for (const std::size_t car : group) models.push_back(&cars_[car]->model());
         for (const Simulation* variant : variants) {
-            if (pivots(variant->model().vehicle) == order) models.push_back(&variant->model());
+            if (elimination_order(variant->model().vehicle) == order) models.push_back(&variant->model());
         }
         Group& made = groups_.emplace_back();
         made.common = common_car(models, made.example);
@@ -250,11 +151,11 @@ void Batch::restart(std::size_t car) {
 std::string Batch::obstacle_to_replace(std::size_t car, const Simulation& by) const {
     if (by.steps_taken() != 0) return "it has already been advanced";
     std::string difference = topology_difference(*cars_[car], by);
-    if (difference.empty() && pivots(cars_[car]->model().vehicle) != pivots(by.model().vehicle)) {
+    if (difference.empty() && elimination_order(cars_[car]->model().vehicle) != elimination_order(by.model().vehicle)) {
         difference = "the order in which a linkage's equations are solved";
     }
-    const RhsProgram& program = *groups_[group_of_[slots_[car].chunk]].program;
-    if (difference.empty() && differs_in_constant(program, cars_[car]->model(), by.model())) {
+    const std::vector<int>& parameters = groups_[group_of_[slots_[car].chunk]].program->parameters;
+    if (difference.empty() && differs_in_constant(parameters, cars_[car]->model(), by.model())) {
         difference = "a number that all cars of the batch share: it was made without a variant for it";
     }
     return difference.empty() ? difference : "they differ in " + difference;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "hamilcar/batch/topology.hpp"
 #include "hamilcar/batch/worker_pool.hpp"
 #include "hamilcar/engine/chunk.hpp"
 #include "hamilcar/engine/traced_sample.hpp"
@@ -26,9 +27,6 @@ struct BatchOptions {
     // outlive the batch's making.
     std::vector<const Simulation*> variants = {};
 };
-
-// What differs between two cars that cannot share a chunk, or nothing: "tire model of wheel 2", "step", ...
-std::string topology_difference(const Simulation& a, const Simulation& b);
 
 class Batch {
 public:

@@ -90,12 +90,23 @@ void DirectControls::move(std::size_t control, double target, const Interval& in
     const double now = schedule.signal(entry.control).at(interval.begin).value, change = scheduled(entry, target) - now;
     if (left_to(driver, entry, target)) return;
     if (change == 0 || entry.control == Control::gear) return hold(control, target, interval.begin, schedule, driver);
-    const double duration = static_cast<double>(interval.steps) * interval.step;
-    SignalPiece<double> piece{.inverse_duration = 1 / duration, .y0 = now, .a = change};
-    if (entry.control == Control::rack && interval.steps >= fewest_steps_from_rest) {
-        piece.a = 0, piece.b = 3 * change, piece.c = -2 * change;
-    }
+    SignalPiece<double> piece = shape(control, interval);
+    piece.y0 = now, piece.a *= change, piece.b *= change, piece.c *= change;
     schedule.follow(entry.control, interval.begin, piece);
+}
+
+SignalPiece<double> DirectControls::shape(std::size_t control, const Interval& interval) const {
+    const Control which = list_[control].control;
+    if (which == Control::gear) return {.y0 = 1};
+    const double duration = static_cast<double>(interval.steps) * interval.step;
+    if (which == Control::rack && interval.steps >= fewest_steps_from_rest) {
+        return {.inverse_duration = 1 / duration, .b = 3, .c = -2};
+    }
+    return {.inverse_duration = 1 / duration, .a = 1};
+}
+
+double DirectControls::slope(std::size_t control, double target) const {
+    return list_[control].by_wheel ? column_.rack(target).slope : 1;
 }
 
 void DirectControls::hold(std::size_t control, double target, double time, Schedule& schedule, Driver* driver) const {

@@ -46,6 +46,10 @@ public:
     // From where it is to `target` at the interval's end. A driver who shifts is asked for the throttle; one who closes it while gears
     // change moves the pedal, too. Without allocation.
     void move(std::size_t control, double target, const Interval& interval, Schedule& schedule, Driver* driver) const;
+    // How the way there goes: from 0 at the interval's beginning to 1 at its end.
+    SignalPiece<double> shape(std::size_t control, const Interval& interval) const;
+    // What a control's unit is in the schedule's: d scheduled / d target.
+    double slope(std::size_t control, double target) const;
     // At `target` from `time` on.
     void hold(std::size_t control, double target, double time, Schedule& schedule, Driver* driver) const;
 

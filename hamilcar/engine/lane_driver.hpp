@@ -21,6 +21,11 @@ struct LaneTimes {
 template <class E>
 class LaneDriver {
 public:
+    // Where each control begins in RhsInput; the rack has its rates as well.
+    static constexpr std::array<int, control_count> first_input{
+        RhsInput::rack,   RhsInput::drive_torque, RhsInput::brake,  RhsInput::throttle,
+        RhsInput::clutch, RhsInput::gear,         RhsInput::wind_x, RhsInput::wind_y};
+
     explicit LaneDriver(int lanes)
         : lanes_(static_cast<std::size_t>(lanes)),
           schedules_(lanes_),
@@ -58,11 +63,6 @@ private:
         SignalPiece<E> piece;
         E start_high, start_low;  // [s]
     };
-
-    // Where each control begins in RhsInput; the rack has its rates as well.
-    static constexpr std::array<int, control_count> first_input{
-        RhsInput::rack,   RhsInput::drive_torque, RhsInput::brake,  RhsInput::throttle,
-        RhsInput::clutch, RhsInput::gear,         RhsInput::wind_x, RhsInput::wind_y};
 
     bool is_valid(const LaneTimes& times, double ahead) const {
         if (times.same) return all_valid_.holds(times.at[0] + ahead);

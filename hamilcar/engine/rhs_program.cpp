@@ -79,11 +79,7 @@ std::shared_ptr<const RhsProgram> make_program(const Model<double>& model, const
     program::Graph graph = program::without_dead_code(trace.graph);
     if (car_in_each_lane) graph = program::in_single_numbers(graph);
     auto made = std::make_shared<RhsProgram>();
-    try {
-        made->executable = engine.compile(graph, car_in_each_lane);
-    } catch (const std::runtime_error&) {  // no more executable memory: slower, with the same bits
-        made->executable = program::backends().back().compile(graph, car_in_each_lane);
-    }
+    made->executable = compiled(graph, engine, car_in_each_lane);
     made->correction_indices = std::move(trace.correction_indices);
     made->parameters = std::move(trace.parameters);
     made->state_size = model.vehicle.state_size;
@@ -97,6 +93,15 @@ std::shared_ptr<const RhsProgram> make_program(const Model<double>& model, const
 }
 
 }  // namespace
+
+std::unique_ptr<const program::Executable> compiled(const program::Graph& graph, const Engine& engine,
+                                                    bool car_in_each_lane) {
+    try {
+        return engine.compile(graph, car_in_each_lane);
+    } catch (const std::runtime_error&) {
+        return program::backends().back().compile(graph, car_in_each_lane);
+    }
+}
 
 RhsTrace rhs_trace_without_dead_code(const Model<double>& model) {
     RhsTrace trace = trace_rhs(model, {}, Precision::double_precision);
@@ -121,8 +126,8 @@ std::shared_ptr<const RhsProgram> rhs_program(std::span<const Model<double>* con
 }
 
 const program::CallFunction* rhs_functions(Precision precision) {
-    static constexpr program::CallFunction in_doubles[] = {look_up_ground<double>};
-    static constexpr program::CallFunction in_singles[] = {look_up_ground<float>};
+    static constexpr program::CallFunction in_doubles[] = {look_up_ground<double>, ground_tangents, ground_adjoints};
+    static constexpr program::CallFunction in_singles[] = {look_up_ground<float>};  // derivatives are of doubles
     return precision == Precision::double_precision ? in_doubles : in_singles;
 }
 

@@ -32,7 +32,14 @@ std::shared_ptr<const RhsProgram> rhs_program(const Model<double>& model, const 
 std::shared_ptr<const RhsProgram> rhs_program(std::span<const Model<double>* const> cars, const Engine& engine,
                                               Precision precision);
 
-// The functions that programs of this precision call.
+// Where the system grants no more executable memory, for the portable engine: slower, with the same bits.
+std::unique_ptr<const program::Executable> compiled(const program::Graph& graph, const Engine& engine,
+                                                    bool car_in_each_lane);
+
+// The functions that programs of this precision call; in double precision also those of derivatives, by their offset.
+struct RhsCall {
+    enum : int { tangents = 1, adjoints = 2 };
+};
 const program::CallFunction* rhs_functions(Precision precision);
 
 }  // namespace hamilcar

@@ -59,17 +59,18 @@ RhsTrace trace_rhs(const Model<double>& model, const CommonCar& common, program:
     return out;
 }
 
+RhsTrace trace_sample(const Model<double>& example, const CommonCar& common, Precision precision,
+                      const TracedReaders& readers) {
+    RhsTrace out{.graph = program::Graph(precision), .correction_indices = {}, .parameters = {}};
+    RhsRecorder(example, common, out).record(readers);
+    return out;
+}
+
 std::shared_ptr<const program::Executable> sample_program(const Model<double>& example, const CommonCar& common,
                                                           const Engine& engine, Precision precision,
                                                           const TracedReaders& readers) {
-    RhsTrace trace{.graph = program::Graph(precision), .correction_indices = {}, .parameters = {}};
-    RhsRecorder(example, common, trace).record(readers);
-    const program::Graph graph = program::in_single_numbers(program::without_dead_code(trace.graph));
-    try {
-        return engine.compile(graph, true);
-    } catch (const std::runtime_error&) {  // no more executable memory: slower, with the same bits
-        return program::backends().back().compile(graph, true);
-    }
+    const RhsTrace trace = trace_sample(example, common, precision, readers);
+    return compiled(program::in_single_numbers(program::without_dead_code(trace.graph)), engine, true);
 }
 
 }  // namespace hamilcar

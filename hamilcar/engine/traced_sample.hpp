@@ -22,6 +22,10 @@ struct TracedSample {
 // Numbers of a car, one after the other.
 using TracedReaders = std::vector<std::function<Traced<>(const TracedSample&)>>;
 
+// Recorded from the state, inputs and parameters of the right-hand side; the results are in the array of the rates.
+RhsTrace trace_sample(const Model<double>& example, const CommonCar& common, Precision precision,
+                      const TracedReaders& readers);
+
 // A program that computes them for a car in each lane from the state, inputs and parameters of the right-hand side of those cars; its
 // results are in the array of the rates.
 std::shared_ptr<const program::Executable> sample_program(const Model<double>& example, const CommonCar& common,

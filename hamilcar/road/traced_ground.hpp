@@ -28,6 +28,11 @@ void look_up_ground(const void* context, int wheel, int lanes, const void* argum
     }
 }
 
+// Derivatives of the same: with tangents of the arguments behind them those of the results; with adjoints of the results behind the arguments
+// those of the arguments. A surface is a table: by differences.
+void ground_tangents(const void* context, int wheel, int lanes, const void* arguments, void* results);
+void ground_adjoints(const void* context, int wheel, int lanes, const void* arguments, void* results);
+
 // One call for each of the wheels side by side.
 template <int width>
 PatchPlane<Traced<width>> query_surface(const Surface*, double, const PatchPose<Traced<width>>& place,

@@ -24,6 +24,7 @@ from ._errors import AccessError, Error, InputError, NumericalError
 from ._linear import LinearModel, Mode, linearize
 from ._maneuver import Figure, Outcome, Verdict, maneuver
 from ._results import Results, read
+from ._rollout import Rollout
 from ._run import run
 from ._simulation import Simulation
 
@@ -39,6 +40,7 @@ __all__ = [
     "NumericalError",
     "Outcome",
     "Results",
+    "Rollout",
     "Scenario",
     "Simulation",
     "Vehicle",

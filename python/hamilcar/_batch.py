@@ -10,13 +10,10 @@ import numpy as np
 
 from . import _core
 from ._documents import Scenario, Source, Vehicle, as_scenario, as_vehicle
-from ._errors import InputError
 from ._simulation import Channels, ControlTargets
+from ._variation import FRICTION, Variation
 
 Which = Union[None, int, Sequence[int], np.ndarray]
-
-
-_FRICTION = "road.friction"  # the only number of the scenario that cars of a batch may differ in
 
 
 @dataclass(frozen=True)
@@ -64,58 +61,20 @@ class Batch:
             raise ValueError(f"count = {count}: expected at least one car")
         if precision not in ("double", "single"):
             raise ValueError(f"precision = {precision!r}: expected 'double' or 'single'")
-        if isinstance(vary, str):
-            raise TypeError("vary: expected a list of names, not a text")
         self.vehicle = as_vehicle(vehicle)
         self.scenario = as_scenario(
             self.vehicle, scenario, speed=speed, position=position, yaw=yaw, friction=friction, step=step,
             integrator=integrator, powered=powered, energy_balance=energy_balance,
         )
-        self._numbers = self.vehicle.numbers()
-        self._nominals = {name: self._nominal(name) for name in vary}
-        self._varied = {name: np.full(count, value) for name, value in self._nominals.items()}
+        self._variation = Variation(self.vehicle, self.scenario, vary)
+        self._varied = {name: np.full(count, value) for name, value in self._variation.nominal.items()}
         self._applied = {name: values.copy() for name, values in self._varied.items()}
         start = self.prepare()
-        variants = [self.prepare(changes)._core for changes in self._variants()]
+        variants = [self.prepare(changes)._core for changes in self._variation.variants()]
         self._fleet = _core.Fleet([start._core] * count, variants, threads, precision == "single", tilt_limit)
         self._count = count
         self._controls = ControlTargets(self._fleet.controls)
         self._channels = Channels(self._fleet.channels)
-
-    def _nominal(self, name: str) -> float:
-        if name != _FRICTION:
-            return float(self.vehicle[name])
-        said = self.scenario.numbers().get(name)
-        return said.value if said else 1.0
-
-    def _variants(self) -> list[dict[str, float]]:
-        """Changes in all that may be varied, each by a share of its own, so that the program takes it from each car."""
-        if not self._varied:
-            return []
-        out = []
-        for sign in (1, -1):
-            changes: dict[str, float] = {}
-            for i, name in enumerate(self._varied):
-                about, value = self._numbers.get(name), self._nominals[name]
-                if about is not None and about.is_whole:
-                    raise ValueError(f"{name} counts something: cars of a batch share it")
-                share = sign * 0.01 * (1 + 0.37 * i / (1 + i))
-                other = value * (1 + share) if value != 0 else share
-                changes[name] = other if about is None or about.min <= other <= about.max else value
-                try:
-                    self._changed({name: other})
-                except InputError as error:
-                    raise ValueError(f"{name} cannot vary by itself: others must fit to it ({error})") from error
-            out.append(changes)
-        return out
-
-    def _changed(self, changes: Mapping[str, Any]) -> tuple[Vehicle, Scenario]:
-        of_road = {_FRICTION: changes[_FRICTION]} if _FRICTION in changes else {}
-        others = {name: value for name, value in changes.items() if name != _FRICTION}
-        return (
-            self.vehicle.changed(others) if others else self.vehicle,
-            self.scenario.changed(of_road) if of_road else self.scenario,
-        )
 
     def prepare(
         self,
@@ -131,11 +90,11 @@ class Batch:
         and of its road. Made once, in some milliseconds; cars then begin there at no cost."""
         numbers = dict(changes or {})
         if friction is not None:
-            numbers[_FRICTION] = friction
+            numbers[FRICTION] = friction
         for name in numbers:
             if name not in self._varied:
                 raise KeyError(f"{name!r} is not varied: name it in Batch(vary=[...])")
-        vehicle, own = self._changed(numbers)
+        vehicle, own = self._variation.changed(numbers)
         own = as_scenario(
             vehicle, own.changed(scenario or {}), speed=speed, position=position, yaw=yaw, friction=None, step=None,
             integrator=None, powered=None, energy_balance=None,
@@ -228,7 +187,7 @@ class Batch:
 
     def vehicle_of(self, car: int) -> Vehicle:
         """The vehicle that a car has after its next reset."""
-        return self._changed(self._row(car))[0]
+        return self._variation.changed(self._row(car))[0]
 
     def _row(self, car: int) -> dict[str, float]:
         return {name: float(values[car]) for name, values in self._varied.items()}
@@ -257,7 +216,7 @@ class Batch:
             raise TypeError("starts: expected what Batch.prepare made")
         self._fleet.replace(cars, [start._core for start in starts])
         for name, values in self._varied.items():
-            values[cars] = [start.numbers.get(name, self._nominals[name]) for start in starts]
+            values[cars] = [start.numbers.get(name, self._variation.nominal[name]) for start in starts]
             self._applied[name][cars] = values[cars]
 
     def __getitem__(self, channel: str) -> np.ndarray:

@@ -247,7 +247,8 @@ private:
 
 void add_batch(nb::module_& module) {
     nb::class_<Start>(module, "Start")
-        .def(nb::init<const VehicleDocument&, const ScenarioDocument&>(), "vehicle"_a, "scenario"_a);
+        .def(nb::init<const VehicleDocument&, const ScenarioDocument&>(), "vehicle"_a, "scenario"_a)
+        .def_prop_ro("channels", [](const Start& start) { return described(start.channels); });
     nb::class_<Fleet>(module, "Fleet")
         .def(nb::init<Starts, const Starts&, int, bool, double>(), "starts"_a, "variants"_a, "threads"_a,
              "single_precision"_a, "tilt_limit"_a)

@@ -43,6 +43,7 @@ NB_MODULE(_core, module) {
     python::add_results(module);
     python::add_simulation(module);
     python::add_batch(module);
+    python::add_rollout(module);
     python::add_maneuvers(module);
     python::add_linear(module);
 }

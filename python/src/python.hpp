@@ -67,6 +67,7 @@ void add_documents(nb::module_& module);
 void add_results(nb::module_& module);
 void add_simulation(nb::module_& module);
 void add_batch(nb::module_& module);
+void add_rollout(nb::module_& module);
 void add_maneuvers(nb::module_& module);
 void add_linear(nb::module_& module);
 

@@ -26,10 +26,11 @@ struct Start {
 using Starts =
     std::vector<std::shared_ptr<const Start>>;  // none of which may be null: a list of Python may hold a None
 
+inline void expect_start(const std::shared_ptr<const Start>& start) {
+    if (!start) throw nb::type_error("expected a start, not None");
+}
 inline void expect_starts(const Starts& starts) {
-    for (const auto& start : starts) {
-        if (!start) throw nb::type_error("expected a start, not None");
-    }
+    for (const auto& start : starts) expect_start(start);
 }
 
 }  // namespace hamilcar::python

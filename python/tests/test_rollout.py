@@ -1,0 +1,144 @@
+import numpy as np
+import pytest
+
+import hamilcar
+
+RECORD = ["chassis.yaw_rate", "chassis.position.y", "chassis.speed"]
+
+
+def rows(random, names, t, n=None):
+    sizes = {"steering_wheel": 0.4, "rack": 0.005, "drive_torque": 200.0, "brake": 0.05, "throttle": 0.2}
+    shape = (t, len(names)) if n is None else (n, t, len(names))
+    out = np.zeros(shape)
+    for i, name in enumerate(names):
+        if name in sizes:
+            out[..., i] = random.uniform(0 if name in ("brake", "throttle") else -1, 1, shape[:-1]) * sizes[name]
+        if name == "gear":
+            out[..., i] = 3
+    return out
+
+
+@pytest.fixture
+def rollout():
+    return hamilcar.Rollout(
+        "bmw_323i", record=RECORD, speed=20.0, steps=10, threads=1,
+        parameters=["chassis.mass_kg", "axle.front.spring.rate_N_per_m", "road.friction"],
+    )
+
+
+def test_has_the_bits_of_a_batch(rollout, random):
+    controls = rows(random, rollout.control_names, 7, 9)
+    y, end = rollout(controls)
+    batch = hamilcar.Batch("bmw_323i", 9, speed=20.0, powered=False, integrator="rk4", energy_balance=False)
+    recorded = batch.rollout(np.moveaxis(controls, 0, 1), steps=10, record=RECORD)
+    for i, name in enumerate(RECORD):
+        assert (recorded[name].T == y[:, :, i]).all()
+    assert (batch.states == end).all()
+    one, one_end = rollout(controls[4])
+    assert (one == y[4]).all() and (one_end == end[4]).all()
+
+
+@pytest.mark.parametrize("wrt, size, tolerance", [("controls", None, 1e-6), ("parameters", None, 1e-5), ("state", 1e-5, 1e-4)])
+def test_jacobians_are_those_of_differences(rollout, random, wrt, size, tolerance):
+    controls = rows(random, rollout.control_names, 4)
+    controls[:, 2] = 0.02  # brakes that turn on have a kink at rest
+    at = {"controls": controls, "parameters": rollout.parameters, "state": rollout.start}
+    dy, dend = rollout.jacobian(**{**at, "state": None} if wrt == "parameters" else at, wrt=wrt)
+    value = at[wrt].ravel()
+    assert dy.shape == (4, 3, value.size) and dend.shape == (len(rollout.state_names), value.size)
+    for k in range(value.size):
+        if wrt == "state" and "windup" in rollout.state_names[k]:
+            continue  # at rest, where the brake's friction has a kink
+        h = size or (1e-3 if wrt == "parameters" else 1e-4) * max(1.0, abs(value[k]))
+        found = []
+        for sign in (1, -1):
+            other = value.copy()
+            other[k] += sign * h
+            given = {**at, wrt: other.reshape(at[wrt].shape)}
+            if wrt == "parameters":
+                given["state"] = None
+            found.append(rollout(**given))
+        for derivative, plus, minus in zip((dy[..., k], dend[..., k]), *found):
+            expected = (plus - minus) / (2 * h)
+            scale = np.abs(expected).max() + 1e-6
+            assert np.abs(derivative - expected).max() < tolerance * scale, (wrt, k)
+
+
+def test_gradients_are_weighted_jacobians(rollout, random):
+    controls = rows(random, rollout.control_names, 5, 3)
+    y_weights, end_weights = random.normal(size=(3, 5, 3)), random.normal(size=(3, len(rollout.state_names)))
+    found = rollout.gradient(controls, y_weights=y_weights, end_weights=end_weights)
+    for wrt in ("controls", "parameters", "held", "state"):
+        dy, dend = rollout.jacobian(controls, wrt=wrt)
+        expected = np.einsum("ntc,ntck->nk", y_weights, dy) + np.einsum("ns,nsk->nk", end_weights, dend)
+        terms = np.einsum("ntc,ntck->nk", np.abs(y_weights), np.abs(dy))
+        terms += np.einsum("ns,nsk->nk", np.abs(end_weights), np.abs(dend))
+        assert (np.abs(found[wrt].reshape(expected.shape) - expected) < 1e-10 * terms + 1e-15).all(), wrt
+
+
+def test_a_start_of_its_own_is_one_more_variable(rollout, random):
+    controls = rows(random, rollout.control_names, 3)
+    weights = {"y_weights": np.ones((3, 3))}
+    settled = rollout.gradient(controls, **weights)
+    fixed = rollout.gradient(controls, state=rollout.start, **weights)
+    assert (settled["state"] == fixed["state"]).all()
+    assert abs(settled["parameters"][0] - fixed["parameters"][0]) > 1e-7  # a heavier car settles lower
+
+
+def test_power_units_are_driven_through(random):
+    scenario = {
+        "name": "powered", "vehicle": "vehicle", "duration_s": 10.0, "initial": {"velocity_m_per_s": 20.0},
+        "inputs": {"throttle": {"pedal": 0.1}, "gear": {"number": 3}},
+    }
+    rollout = hamilcar.Rollout("bmw_e90_330i", scenario, record=RECORD, steps=10, threads=1)
+    assert {"throttle", "clutch", "gear"} <= set(rollout.control_names)
+    controls = rows(random, rollout.control_names, 4)
+    controls[:, rollout.control_names.index("throttle")] += 0.3
+    by_throttle = rollout.jacobian(controls, wrt="controls")[0].reshape(4, 3, *controls.shape)
+    at = (1, rollout.control_names.index("throttle"))
+    found = []
+    for sign in (1, -1):
+        other = controls.copy()
+        other[at] += sign * 1e-4
+        found.append(rollout(other)[0])
+    expected = (found[0] - found[1]) / 2e-4
+    assert expected[3, 2] > 0  # more throttle, faster
+    assert np.abs(by_throttle[:, :, at[0], at[1]] - expected).max() < 1e-5 * np.abs(expected).max()
+
+
+def test_a_run_that_fails_is_not_a_number_and_the_others_go_on(rollout, random):
+    controls = rows(random, rollout.control_names, 4, 2)
+    state = np.stack([rollout.start, rollout.start])
+    state[0, rollout.state_names.index("front_left.dependent.1")] += 0.5  # torn apart
+    y, end = rollout(controls, state=state)
+    assert np.isnan(y[0]).all() and np.isnan(end[0]).all()
+    assert (y[1] == rollout(controls[1])[0]).all()
+
+
+def test_parameters_at_a_limit_have_derivatives_to_one_side():
+    rollout = hamilcar.Rollout("bmw_323i", record=["chassis.speed"], speed=20.0, parameters=["axle.front.anti_roll_bar.rate_N_per_m"], threads=1)
+    controls = np.zeros((2, 3))
+    dy, _ = rollout.jacobian(controls, parameters=[0.0])
+    assert np.isfinite(dy).all()
+
+
+@pytest.mark.parametrize(
+    "call, error, message",
+    [
+        (lambda r: r(np.zeros((4, 2))), ValueError, r"expected \(t, 3\)"),
+        (lambda r: r(np.zeros((4, 3)), parameters=[1.0]), ValueError, "parameters of shape"),
+        (lambda r: r(np.zeros((2, 4, 3)), state=np.zeros((3, 44))), ValueError, "one number of runs"),
+        (lambda r: r(np.full((4, 3), np.nan)), ValueError, "NaN"),
+        (lambda r: r(np.full((4, 3), 7e9)), ValueError, "steering_wheel"),
+        (lambda r: r.jacobian(np.zeros((4, 3)), wrt="mass"), ValueError, "expected one of"),
+        (lambda r: r.gradient(np.zeros((4, 3)), y_weights=np.zeros(4)), ValueError, "y_weights"),
+        (lambda r: hamilcar.Rollout(integrator="ab3"), ValueError, "rk4"),
+        (lambda r: hamilcar.Rollout(record=["chassis.yawrate"]), KeyError, "did you mean"),
+        (lambda r: hamilcar.Rollout(parameters="chassis.mass_kg"), TypeError, "list of names"),
+        (lambda r: hamilcar.Rollout(steps=0), ValueError, "at least one step"),
+        (lambda r: hamilcar.Rollout("bmw_e90_330i", powered=True), ValueError, "driver"),
+    ],
+)
+def test_misuse_is_refused(rollout, call, error, message):
+    with pytest.raises(error, match=message):
+        call(rollout)
