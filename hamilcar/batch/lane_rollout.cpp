@@ -146,6 +146,23 @@ void LaneRollout::run(RolloutResults& out, RolloutResults* changes) {
     write_ends(out, changes);
 }
 
+// The correction is a Newton step on Phi(V, W, t) = 0: where that holds its derivative by W is -1, and by all else that of W.
+void LaneRollout::close(std::vector<double>& states) {
+    controls_.begin_row(0, targets(*runs_.numbers, 0));
+    const RolloutRhs::Input input = input_at(0, 0);
+    controls_.tangents(targets(*along_, 0), inputs_.data() + RhsInput::size * lanes_);
+    Numbers rate(rhs_.state_count());
+    rhs_.evaluate(input, now_, rate, first_);
+    const double* correction =
+        first_.numbers.data() + (programs_->report_size() + std::size_t{RhsReport::correction}) * lanes_;
+    for (const int index : programs_->correction_indices()) {
+        for (std::size_t lane = 0; lane < lanes_; ++lane, ++correction) {
+            if (is_used(lane))
+                states[run_of(lane) * programs_->state_size() + static_cast<std::size_t>(index)] += *correction;
+        }
+    }
+}
+
 LaneRollout::Adjoints LaneRollout::new_adjoints() const {
     const std::size_t states = programs_->state_size() * lanes_, parameters = programs_->parameters().size() * lanes_;
     const auto stages = static_cast<std::size_t>(classical_runge_kutta.stages);

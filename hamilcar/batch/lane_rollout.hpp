@@ -20,6 +20,8 @@ public:
 
     void run(RolloutResults& out, RolloutResults* changes);
     void gradient(const RolloutResults& weights, RolloutNumbers& out);
+    // As Rollout::closed; `states`: the directions of all runs.
+    void close(std::vector<double>& states);
 
 private:
     using Numbers = LaneNumbers<double>;

@@ -117,4 +117,15 @@ RolloutNumbers Rollout::gradient(std::span<const RolloutCar> cars, const Rollout
     return out;
 }
 
+std::vector<double> Rollout::closed(std::span<const RolloutCar> cars, const RolloutNumbers& runs,
+                                    const RolloutNumbers& along) {
+    programs_.with_tangents();
+    std::vector<double> out = along.states;
+    constexpr std::size_t rows = 1;
+    for_each_group(cars.size(), programs_.lanes(), pool_, [&](std::size_t first) {
+        LaneRollout(programs_, {cars, &runs, rows, first}, options_.steps, &along).close(out);
+    });
+    return out;
+}
+
 }  // namespace hamilcar

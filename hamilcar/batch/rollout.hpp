@@ -71,6 +71,11 @@ public:
     RolloutNumbers gradient(std::span<const RolloutCar> cars, const RolloutNumbers& runs, const RolloutResults& weights,
                             std::size_t rows);
 
+    // Directions of the starting states that keep the loops closed: the dependent coordinates of each move with the independent ones and
+    // with the rack as its direction says, whatever was given for them.
+    std::vector<double> closed(std::span<const RolloutCar> cars, const RolloutNumbers& runs,
+                               const RolloutNumbers& along);
+
 private:
     const Simulation* first_;
     RolloutOptions options_;

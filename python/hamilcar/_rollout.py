@@ -10,6 +10,7 @@ import numpy as np
 
 from . import _core
 from ._documents import Scenario, Source, Vehicle, as_scenario, as_vehicle
+from ._linear_steps import LinearSteps, linear_steps
 from ._simulation import Channels, ControlTargets
 from ._variation import Variation
 
@@ -70,7 +71,8 @@ class Rollout:
         self.interval = steps * self.scenario.step
         self.control_names = list(self._controls.number)
         self.control_units = [entry[0] for entry in self._controls.entries.values()]
-        self.state_names = self._core.state_names()
+        self._numbers = self._core.state_numbers()
+        self.state_names = [name for name, _, _ in self._numbers]
         self.start = self._core.state_of(start)
         self.held = np.array(self._core.held(start))
 
@@ -225,6 +227,14 @@ class Rollout:
             "controls": by_controls[:, 1:], "parameters": by_parameters, "state": by_state, "held": by_controls[:, 0],
         }
         return out if many else {name: value[0] for name, value in out.items()}
+
+    def linearize(self, controls: Array, parameters: Array | None = None, state: Array | None = None, held: Array | None = None) -> LinearSteps:
+        """The run of ``controls`` ``(t, m)`` row by row as ``dz_k+1 = A_k dz_k + B_before_k du_k-1 + B_k du_k``, exact, in free
+        coordinates z: without what the linkages imply, with the attitude as a rotation vector in chassis axes."""
+        many, _, rows, starts, states = self._runs(controls, parameters, state, held)
+        if many:
+            raise ValueError("expected one run: controls (t, m)")
+        return linear_steps(self._core, self._numbers, starts[0], rows[0], states[0], self.control_names)
 
     def _sensitivity(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """How the numbers of the model and the start change with the parameters, by differences of fourth order: a file's numbers pass

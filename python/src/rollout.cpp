@@ -103,11 +103,33 @@ public:
         }
         return out;
     }
-    std::vector<std::string> state_names() const {
-        std::vector<std::string> out;
+    // Name, unit, and whether it is free: neither dependent on others nor an account of energy.
+    nb::list state_numbers() const {
+        nb::list out;
         const StateLayout layout(start_->simulation.vehicle());
-        for (const StateNumber& number : layout.numbers()) out.push_back(number.name);
+        for (const StateNumber& number : layout.numbers()) {
+            const bool follows = number.kind == StateKind::dependent || number.kind == StateKind::work ||
+                                 number.kind == StateKind::energy_supplied;
+            out.append(
+                nb::make_tuple(number.name, state_kinds()[static_cast<std::size_t>(number.kind)].unit, !follows));
+        }
         return out;
+    }
+    NewNumbers closed(const Starts& starts, const Numbers& controls, const Numbers& states,
+                      const Numbers& along_controls, const Numbers& along_states) {
+        const Turn turn(busy_);
+        const Runs runs = checked(starts, controls, states);
+        if (runs.rows != 1) throw nb::value_error("expected one row");
+        const RolloutNumbers along{
+            .controls = numbers(along_controls, runs.numbers.controls.size(), "directions of the controls"),
+            .states = numbers(along_states, runs.numbers.states.size(), "directions of the states"),
+            .parameters = std::vector<double>(starts.size() * rollout_->parameter_count())};
+        std::vector<double> out;
+        {
+            const nb::gil_scoped_release release;
+            out = rollout_->closed(runs.cars, runs.numbers, along);
+        }
+        return by_state(std::move(out), runs);
     }
     const DirectControls& controls() const { return start_->controls; }
     const std::vector<Channel>& channels() const { return start_->channels; }
@@ -183,7 +205,9 @@ void add_rollout(nb::module_& module) {
         .def("parameters_of", &Runner::parameters_of, "start"_a)
         .def("state_of", &Runner::state_of, "start"_a)
         .def("held", &Runner::held, "start"_a)
-        .def("state_names", &Runner::state_names)
+        .def("state_numbers", &Runner::state_numbers)
+        .def("closed", &Runner::closed, "starts"_a, "controls"_a.noconvert(), "states"_a.noconvert(),
+             "along_controls"_a.noconvert(), "along_states"_a.noconvert())
         .def_prop_ro("controls", [](const Runner& runner) { return described(runner.controls()); });
 }
 

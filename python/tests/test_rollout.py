@@ -142,3 +142,39 @@ def test_parameters_at_a_limit_have_derivatives_to_one_side():
 def test_misuse_is_refused(rollout, call, error, message):
     with pytest.raises(error, match=message):
         call(rollout)
+
+
+def test_linear_steps_about_steady_driving_have_the_eigenvalues_of_the_linear_model():
+    """That one is by dual numbers and continuous; dampers of this car have no kink at rest."""
+    model = hamilcar.linearize("bmw_323i", speed=20.0)
+    rollout = hamilcar.Rollout("bmw_323i", speed=20.0, steps=20, threads=1)
+    controls = np.zeros((100, 3))
+    controls[:, rollout.control_names.index("drive_torque")] = model.drive_torque
+    _, settled = rollout(controls, held=controls[0])
+    steps = rollout.linearize(controls[:2], state=settled, held=controls[0])
+    assert steps.A.shape == (2, 36, 36) and steps.B.shape == steps.B_before.shape == (2, 36, 3)
+    assert len(steps.states) == len(steps.units) == 36 and steps.states[3:6] == ["rotation.x", "rotation.y", "rotation.z"]
+    found = np.linalg.eigvals(steps.A[1])
+    expected = np.concatenate([np.exp(rollout.interval * np.linalg.eigvals(model.A)), [1.0, 1.0, 1.0]])  # x, y and heading
+    for one in expected:
+        assert np.abs(found - one).min() < 2e-4
+    assert abs(np.prod(np.abs(found)) / np.prod(np.abs(expected)) - 1) < 0.05
+
+
+def test_linear_steps_follow_a_change_of_the_controls(random):
+    rollout = hamilcar.Rollout("bmw_323i", speed=20.0, steps=10, threads=1)
+    controls = rows(random, rollout.control_names, 6)
+    controls[:, 2] = 0.02
+    steps = rollout.linearize(controls)
+    change = 1e-5 * random.normal(size=controls.shape) * [1, 1000, 0]
+    z = np.zeros(36)
+    before = np.zeros(3)
+    for k in range(6):
+        z = steps.A[k] @ z + steps.B_before[k] @ before + steps.B[k] @ change[k]
+        before = change[k]
+    expected = rollout(controls + change)[1] - rollout(controls)[1]
+    for i, name in enumerate(rollout.state_names):
+        if name in steps.states:
+            assert z[steps.states.index(name)] == pytest.approx(expected[i], rel=1e-3, abs=1e-4 * np.abs(expected).max() * 1e-3)
+    # Row by row each begins at time 0: shares of a row's time differ in their last digit.
+    assert steps.points.shape == (7, 44) and np.allclose(steps.points[-1], rollout(controls)[1], rtol=1e-9, atol=1e-9)
