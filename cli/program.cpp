@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "files.hpp"
 #include "hamilcar/bench/operations.hpp"
+#include "hamilcar/engine/casadi_text.hpp"
 #include "hamilcar/engine/rhs_program.hpp"
 #include "hamilcar/program/c_text.hpp"
 #include "hamilcar/program/pass.hpp"
@@ -20,7 +21,7 @@ using program::Block;
 
 struct ProgramOptions {
     VehicleChoice vehicle;
-    std::string c_file;
+    std::string c_file, casadi_file;
     bool json = false;
 };
 
@@ -123,7 +124,9 @@ std::string explanation(const VehicleDescription& vehicle, const RhsTrace& trace
 }
 
 io::ExitCode program(const ProgramOptions& options) {
-    if (!options.c_file.empty()) check_output(options.c_file);
+    for (const std::string& file : {options.c_file, options.casadi_file}) {
+        if (!file.empty()) check_output(file);
+    }
     const VehicleDescription vehicle = read_vehicle(options.vehicle);
     const Model<double> model{
         .vehicle = Vehicle<double>(vehicle), .road = PlaneRoad<double>(0, 0, 1), .energy_balance = false};
@@ -134,6 +137,10 @@ io::ExitCode program(const ProgramOptions& options) {
     print(vehicle.name, seconds, count_blocks(trace.graph), compile_everywhere(trace.graph));
     if (!options.c_file.empty()) {
         write_file(options.c_file, explanation(vehicle, trace, model) + program::c_text(trace.graph, "hamilcar_turn"));
+    }
+    if (!options.casadi_file.empty()) {
+        write_file(options.casadi_file,
+                   explanation(vehicle, trace, model) + casadi_text(trace, model.vehicle.state_size));
     }
     return io::ExitCode::ok;
 }
@@ -146,6 +153,7 @@ void add_program(CommandList& list) {
     command.add("vehicle", o.vehicle.file, "vehicle file (TOML)").required();
     add_vehicle_set(command, o.vehicle);
     command.add("--c", o.c_file, "file for the step as one C function");
+    command.add("--casadi", o.casadi_file, "file for the right-hand side and its Jacobian as C for casadi.external");
     command.add_json(o.json);
 }
 
