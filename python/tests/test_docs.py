@@ -23,6 +23,9 @@ def pages():
 def test_code_of_a_page_runs(page, tmp_path, monkeypatch):
     if "plot" in page.read_text():
         pytest.importorskip("matplotlib").use("Agg")
+    for text, module in (("import jax", "jax"), ("import casadi", "casadi"), ("hamilcar.identify", "scipy"), ("hamilcar.gym", "gymnasium")):
+        if text in page.read_text():
+            pytest.importorskip(module)
     monkeypatch.chdir(tmp_path)
     names = {}
     for block in BLOCK.findall(page.read_text()):
