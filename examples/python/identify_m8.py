@@ -1,7 +1,6 @@
-"""What a measured stop of a BMW M8 tells about the car: python identify_m8.py FOLDER [report.html]
+"""What a measured stop of a BMW M8 tells about the car: python identify_m8.py [report.html]
 
-FOLDER holds fast.csv and slow.csv, a run published by the project roadview-project/vehicle-dynamics (MIT license): coasting in gear
-from 22 m/s, then the brake. There is no model of an M8 here. A BMW E90 with the M8's mass, axle loads and wheels takes its
+The run is in the folder bmw_m8, which says where it is from: coasting in gear from 22 m/s, then the brake. There is no model of an M8 here. A BMW E90 with the M8's mass, axle loads and wheels takes its
 place; its suspension is not the M8's, and neither are the numbers found for it.
 """
 
@@ -13,6 +12,7 @@ import numpy as np
 import hamilcar
 from hamilcar.identify import Free, Measurement, Unknown, identify
 
+DATA = Path(__file__).resolve().parent / "bmw_m8"
 BEGIN = 5.2  # coasting has settled [s]
 ENDS = (7.15, 7.3)  # before the brakes slip; what is well known does not depend on which
 TOTAL_MASS = 2074.4  # measured by the authors [kg]
@@ -37,8 +37,8 @@ def car():
     return e90.changed(changes)
 
 
-def measurement(folder, end):
-    fast, slow = (np.genfromtxt(Path(folder) / name, delimiter=",", skip_header=1) for name in ("fast.csv", "slow.csv"))
+def measurement(end):
+    fast, slow = (np.genfromtxt(DATA / name, delimiter=",", skip_header=1) for name in ("fast.csv", "slow.csv"))
     time = np.arange(BEGIN, end, 0.01)
 
     def column(table, number):
@@ -66,10 +66,9 @@ def measurement(folder, end):
     )
 
 
-def main(folder, report=None):
-    m8 = car()
+def unknowns():
     both = ("front", "rear")
-    unknowns = [
+    return [
         # What resists the reported torques: the engine, turning with the wheels in second gear, is in it.
         Unknown("chassis.mass_kg", 1500.0, 2900.0),
         Unknown("brakes", 0.5, 1.5, multiplies=[f"axle.{one}.brake.max_torque_N_m" for one in both]),
@@ -79,7 +78,10 @@ def main(folder, report=None):
         Unknown("slip stiffness", 0.3, 3.0, multiplies=[f"tire.{one}.longitudinal_stiffness_per_load" for one in both]),
         Unknown("tire.front.rolling_radius_m", 0.33, 0.36), Unknown("tire.rear.rolling_radius_m", 0.33, 0.37),
     ]
-    found = [identify(m8, unknowns, [measurement(folder, end)], step=2e-3) for end in ENDS]
+
+
+def main(report=None):
+    found = [identify(car(), unknowns(), [measurement(end)], step=2e-3) for end in ENDS]
     print(found[-1].text())
     print("with data up to", " or ".join(f"{end} s" for end in ENDS))
     for name in found[-1].names:
