@@ -14,8 +14,8 @@ import hamilcar.gym
 
 
 def drive(env, weights, seeds):
-    """Returns (n,) of the first episodes of cars that each have their ``weights`` (n, k, o), begun with ``seeds``; and which of them
-    (n,) ended before their time."""
+    """Returns (n,) of the first episodes of cars that each have their ``weights`` (n, k, o), begun with ``seeds``; and which of
+    them (n,) ended before their time."""
     scale = env.single_observation_space.high
     observed, _ = env.reset(seed=seeds)
     returns, over, failed = (np.zeros(env.num_envs, dtype=kind) for kind in (float, bool, bool))

@@ -23,7 +23,7 @@ def pages():
 def test_code_of_a_page_runs(page, tmp_path, monkeypatch):
     if "plot" in page.read_text():
         pytest.importorskip("matplotlib").use("Agg")
-    for text, module in (("import jax", "jax"), ("import casadi", "casadi"), ("hamilcar.identify", "scipy"), ("hamilcar.gym", "gymnasium")):
+    for text, module in (("import jax", "jax"), ("import casadi", "casadi"), ("hamilcar.identify", "scipy"), ("hamilcar.gym", "gymnasium"), ("hamilcar.study", "scipy")):
         if text in page.read_text():
             pytest.importorskip(module)
     monkeypatch.chdir(tmp_path)
