@@ -2,6 +2,8 @@
 """What a learner or a sampling controller gets from Python: control steps a second of a batch, beside the batch engine alone and, where they are
 installed, MuJoCo's batch, highway-env and JSBSim; and how long it takes from `import` to the first step.
 
+Environment steps of hamilcar.gym, with their resets, and the price of a gradient beside that of its run.
+
 A control step is 20 ms: 20 steps of 1 ms with new controls for every car before and twelve channels of every car after. One thread.
 Usage: PYTHONPATH=build/release/python benchmarks/python.py [CARS]
 """
@@ -49,6 +51,29 @@ def of_hamilcar(name, precision, count):
         f"hamilcar {name:16} {precision:7} {count / whole:10.0f} control steps/s"
         f"  {alone / whole:.2f} of the engine alone ({batch.engine})"
     )
+
+
+def of_environment(count, precision):
+    import hamilcar.gym
+
+    env = hamilcar.gym.make_vec("LaneKeeping", count, precision=precision)
+    env.reset(seed=1)
+    actions = np.random.default_rng(1).uniform(-1, 1, (16, count, 1)).astype(np.float32)
+    nothing = np.full((count, len(env.batch.control_names)), np.nan)
+    turn = iter(range(10**9))
+    whole = seconds(lambda: env.step(actions[next(turn) % 16]), 5, 25)
+    alone = seconds(lambda: env.batch.step(20, nothing), 5, 25)
+    print(f"hamilcar.gym LaneKeeping {precision:8} {count / whole:10.0f} environment steps/s  {alone / whole:.2f} of the engine alone")
+
+
+def of_derivatives(name):
+    rollout = hamilcar.Rollout(name, record=CHANNELS[:6], speed=20.0, threads=1)
+    rows, runs, weights = 10, 32, {"y_weights": np.ones((32, 10, 6))}
+    controls = np.zeros((runs, rows, len(rollout.control_names)))
+    controls[..., 0] = np.linspace(-0.005, 0.005, rows)
+    once = seconds(lambda: rollout(controls, state=rollout.start))
+    gradient = seconds(lambda: rollout.gradient(controls, state=rollout.start, **weights))
+    print(f"hamilcar.Rollout {name:18} a run {1e6 * once / runs / rows / 20:5.2f} us a step, its gradient {gradient / once:.1f} runs")
 
 
 MUJOCO_CAR = """<mujoco><option timestep="0.001"/><worldbody><geom type="plane" size="0 0 1"/>
@@ -122,7 +147,10 @@ def main():
     for name in ("bmw_323i", "bmw_323i_paper"):
         for precision in ("double", "single"):
             of_hamilcar(name, precision, count)
-    for peer in (lambda: of_mujoco(count), of_highway, of_jsbsim):
+    for name in ("bmw_323i", "bmw_e90_330i", "truck_semitrailer"):
+        of_derivatives(name)
+    learn = [lambda precision=precision: of_environment(count, precision) for precision in ("double", "single")]
+    for peer in (*learn, lambda: of_mujoco(count), of_highway, of_jsbsim):
         try:
             peer()
         except (ImportError, AttributeError) as missing:
