@@ -9,6 +9,12 @@ import hamilcar
 
 BLOCK = re.compile(r"^```python\n(.*?)^```", re.DOTALL | re.MULTILINE)
 
+NEEDED = (
+    ("import jax", "jax"), ("import casadi", "casadi"), ("hamilcar.identify", "scipy"), ("hamilcar.gym", "gymnasium"),
+    ("hamilcar.study", "scipy"), ("from distributed", "distributed"), ("study.sensitivity", "SALib"), ("pymoo.", "pymoo"),
+    ("import optuna", "optuna"),
+)
+
 
 def pages():
     for folder in (Path(__file__).parents[2], Path(hamilcar.__file__).parent / "share" / "hamilcar"):
@@ -23,7 +29,7 @@ def pages():
 def test_code_of_a_page_runs(page, tmp_path, monkeypatch):
     if "plot" in page.read_text():
         pytest.importorskip("matplotlib").use("Agg")
-    for text, module in (("import jax", "jax"), ("import casadi", "casadi"), ("hamilcar.identify", "scipy"), ("hamilcar.gym", "gymnasium"), ("hamilcar.study", "scipy")):
+    for text, module in NEEDED:
         if text in page.read_text():
             pytest.importorskip(module)
     monkeypatch.chdir(tmp_path)

@@ -117,7 +117,7 @@ def test_a_script_without_a_guard_is_told(tmp_path):
 def test_ctrl_c_ends_all_and_the_next_run_goes_on(notes, tmp_path, sent, expected):
     """Ctrl-C goes to all processes of the terminal, the end of a task's time to the driver."""
     study_of(gated_square).prepare(POINTS, tmp_path / "f", chunk=2)
-    listens = {"preexec_fn": lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)}  # also where a shell ignores it in the background
+    listens = {"preexec_fn": lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)}  # shells ignore it in the background
     process = command("run", tmp_path / "f", "--processes", 2, start_new_session=True, **listens)
     wait_until(lambda: len(workers_of(notes)) == 2 and len(list((tmp_path / "f").glob("chunk_*"))) == 2)
     os.killpg(process.pid, sent) if sent == signal.SIGINT else process.send_signal(sent)
