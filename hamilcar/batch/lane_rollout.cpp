@@ -16,15 +16,14 @@ const Method& method_of(const Simulation& car) {
 
 }  // namespace
 
-LaneRollout::LaneRollout(RolloutPrograms& programs, const LaneRuns& runs, long steps, const RolloutNumbers* along)
+LaneRollout::LaneRollout(RolloutPrograms& programs, const LaneRuns& runs, const RolloutNumbers* along)
     : programs_(&programs),
       runs_(runs),
       along_(along),
       lanes_(static_cast<std::size_t>(programs.lanes())),
-      steps_(steps),
       step_(runs.cars[0].simulation->scenario().solver.step),
       rhs_(programs, along ? programs.with_tangents() : programs.plain(), along != nullptr),
-      controls_(cars(), steps, step_),
+      controls_(cars(), runs.steps, step_),
       integrator_(method_of(*runs.cars[0].simulation), step_, static_cast<int>(rhs_.state_count()), 0,
                   Numbers(rhs_.state_count())),
       inputs_((along ? 2 : 1) * RhsInput::size * lanes_),
@@ -68,7 +67,8 @@ std::vector<LaneControls::Row> LaneRollout::targets(const RolloutNumbers& of, st
     std::vector<LaneControls::Row> out;
     for (std::size_t lane = 0; lane < lanes_; ++lane) {
         const std::size_t run = run_of(lane);
-        out.push_back({&of.controls[place_of_controls(run, row)], &of.controls[place_of_controls(run, row + 1)]});
+        out.push_back(
+            {of.controls.data() + place_of_controls(run, row), of.controls.data() + place_of_controls(run, row + 1)});
     }
     return out;
 }
@@ -83,9 +83,9 @@ void LaneRollout::do_row(std::size_t row, std::vector<StepRecord>* records) {
     controls_.begin_row(row, targets(*runs_.numbers, row));
     std::vector<LaneControls::Row> along;
     if (along_) along = targets(*along_, row);
-    if (records) records->assign(static_cast<std::size_t>(steps_), {});
-    for (long k = 0; k < steps_; ++k) {
-        rhs_.record(records ? &(*records)[static_cast<std::size_t>(k)] : nullptr);
+    if (records) records->clear();
+    for (long k = 0; k < runs_.steps && !stops(); ++k) {
+        rhs_.record(records ? &records->emplace_back() : nullptr);
         const auto inputs = [&](double ahead) {
             const RolloutRhs::Input at = input_at(k, ahead);
             if (along_) controls_.tangents(along, inputs_.data() + RhsInput::size * lanes_);
@@ -112,7 +112,7 @@ void LaneRollout::read(std::size_t row, RolloutResults& out, RolloutResults* cha
     const std::size_t count = programs_->channel_count();
     if (count == 0) return;
     Numbers values((along_ ? 2 : 1) * count * lanes_);
-    const RolloutRhs::Input input = input_at(steps_, 0);
+    const RolloutRhs::Input input = input_at(runs_.steps, 0);
     if (along_) controls_.tangents(targets(*along_, row), inputs_.data() + RhsInput::size * lanes_);
     const RolloutPrograms::Pair& pair = along_ ? programs_->with_tangents() : programs_->plain();
     rhs_.run(*pair.sample, input, now_, [&](program::Frame& frame) { frame.arrays[rhs_rate] = values.data(); });
@@ -179,7 +179,7 @@ LaneRollout::Adjoints LaneRollout::new_adjoints() const {
 void LaneRollout::gradient(const RolloutResults& weights, RolloutNumbers& out) {
     // Of short runs everything is kept; of longer ones the states at the rows, and each row is computed once more.
     const std::size_t bytes_of_step = classical_runge_kutta.stages * now_.values.size() * sizeof(double);
-    const bool keeps_all = runs_.rows * static_cast<std::size_t>(steps_) * bytes_of_step <= most_bytes_kept;
+    const bool keeps_all = runs_.rows * static_cast<std::size_t>(runs_.steps) * bytes_of_step <= most_bytes_kept;
     std::vector<Numbers> after_rows;
     std::vector<std::vector<StepRecord>> records(keeps_all ? runs_.rows : 1);
     const Numbers start = now_;
@@ -200,13 +200,13 @@ void LaneRollout::gradient(const RolloutResults& weights, RolloutNumbers& out) {
         controls_.hold_end();
         adjoints.controls.clear();
         for (std::size_t lane = 0; lane < lanes_; ++lane) {
-            double* from = is_used(lane) ? &out.controls[place_of_controls(run_of(lane), row)] : unused.data();
+            double* from = is_used(lane) ? out.controls.data() + place_of_controls(run_of(lane), row) : unused.data();
             adjoints.controls.push_back({from, from + control_count(run_of(lane))});
         }
         add_channels(row, weights, adjoints);
         controls_.begin_row(row, targets(*runs_.numbers, row));
         const std::vector<StepRecord>& own = records[keeps_all ? row : 0];
-        for (long k = steps_; k-- > 0;) step_back(k, own[static_cast<std::size_t>(k)], adjoints);
+        for (std::size_t k = own.size(); k-- > 0 && !stops();) step_back(static_cast<long>(k), own[k], adjoints);
     }
     const auto write = [&](const Numbers& from, std::size_t count, std::vector<double>& to) {
         for (std::size_t lane = 0; lane < lanes_ && is_used(lane); ++lane) {
@@ -215,6 +215,11 @@ void LaneRollout::gradient(const RolloutResults& weights, RolloutNumbers& out) {
             }
         }
     };
+    for (std::size_t lane = 0; lane < lanes_ && is_used(lane); ++lane) {
+        if (!failed_[lane]) continue;
+        std::fill_n(out.controls.begin() + static_cast<long>(place_of_controls(run_of(lane), 0)),
+                    (runs_.rows + 1) * control_count(run_of(lane)), not_a_number);
+    }
     write(adjoints.state, programs_->state_size(), out.states);
     write(adjoints.parameters, programs_->parameters().size(), out.parameters);
 }
@@ -228,7 +233,7 @@ void LaneRollout::add_channels(std::size_t row, const RolloutResults& weights, A
         const std::size_t place = (run_of(lane) * runs_.rows + row) * count;
         for (std::size_t i = 0; i < count; ++i) of_results.values[i * lanes_ + lane] = weights.channels[place + i];
     }
-    run_back(*programs_->adjoint().sample, input_at(steps_, 0), now_, of_results, adjoints);
+    run_back(*programs_->adjoint().sample, input_at(runs_.steps, 0), now_, of_results, adjoints);
     add_scaled(1.0, adjoints.read_state.data(), adjoints.state.data(), static_cast<int>(adjoints.state.values.size()));
 }
 

@@ -11,12 +11,14 @@ struct LaneRuns {
     std::span<const RolloutCar> cars;  // of all runs
     const RolloutNumbers* numbers;     // of all runs
     std::size_t rows, first;
+    long steps;                         // of a row
+    const std::function<bool()>& stop;  // as in Rollout::set_stop; may be empty
 };
 
 class LaneRollout {
 public:
     // The programs that it runs must have been made.
-    LaneRollout(RolloutPrograms& programs, const LaneRuns& runs, long steps, const RolloutNumbers* along = nullptr);
+    LaneRollout(RolloutPrograms& programs, const LaneRuns& runs, const RolloutNumbers* along = nullptr);
 
     void run(RolloutResults& out, RolloutResults* changes);
     void gradient(const RolloutResults& weights, RolloutNumbers& out);
@@ -27,6 +29,7 @@ private:
     using Numbers = LaneNumbers<double>;
 
     std::size_t run_of(std::size_t lane) const { return std::min(runs_.first + lane, runs_.cars.size() - 1); }
+    bool stops() const { return runs_.stop && runs_.stop(); }
     bool is_used(std::size_t lane) const { return runs_.first + lane < runs_.cars.size(); }
     std::size_t control_count(std::size_t run) const { return runs_.cars[run].controls->list().size(); }
     std::size_t place_of_controls(std::size_t run, std::size_t row) const {
@@ -60,7 +63,6 @@ private:
     LaneRuns runs_;
     const RolloutNumbers* along_;
     std::size_t lanes_;
-    long steps_;
     double step_;
     RolloutRhs rhs_;
     LaneControls controls_;

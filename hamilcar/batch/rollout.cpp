@@ -33,11 +33,11 @@ const Engine& chosen_engine(const RolloutOptions& options) {
 }  // namespace
 
 Rollout::Rollout(const RolloutCar& car, const TracedReaders& readers, const RolloutOptions& options)
-    : first_(car.simulation),
-      options_(options),
+    : first_(car),
+      steps_(options.steps),
       programs_(models(*car.simulation, options.variants), readers, chosen_engine(options)),
       pool_(options.threads) {
-    const std::string problem = obstacle(*car.simulation);
+    const std::string problem = obstacle(car);
     if (!problem.empty()) throw std::invalid_argument(problem);
 }
 
@@ -48,18 +48,21 @@ std::vector<double> Rollout::parameters_of(const Simulation& car) const {
     return out;
 }
 
-std::string Rollout::obstacle(const Simulation& car) const {
+std::string Rollout::obstacle(const RolloutCar& of) const {
+    const Simulation& car = *of.simulation;
+    const Simulation& first = *first_.simulation;
     const std::string& integrator = car.scenario().solver.integrator;
     if (find_method(integrator)->family != MethodFamily::runge_kutta) {
         return fmt::format("{} remembers or chooses: expected rk4, whose step is a map of the state", integrator);
     }
     if (car.driver()) return "a driver's decisions have no derivatives: expected a scenario without one";
-    if (&car == first_) return "";
-    std::string difference = topology_difference(*first_, car);
-    if (difference.empty() && elimination_order(first_->model().vehicle) != elimination_order(car.model().vehicle)) {
+    if (&car == &first) return "";
+    if (!of.controls->has_same_list(*first_.controls)) return "they differ in their controls";
+    std::string difference = topology_difference(first, car);
+    if (difference.empty() && elimination_order(first.model().vehicle) != elimination_order(car.model().vehicle)) {
         difference = "the order in which a linkage's equations are solved";
     }
-    if (difference.empty() && differs_in_constant(programs_.parameters(), first_->model(), car.model())) {
+    if (difference.empty() && differs_in_constant(programs_.parameters(), first.model(), car.model())) {
         difference = "a number that all cars of the rollout share: it was made without a variant for it";
     }
     return difference.empty() ? difference : "they differ in " + difference;
@@ -88,7 +91,7 @@ RolloutResults Rollout::run(std::span<const RolloutCar> cars, const RolloutNumbe
     programs_.plain();
     RolloutResults out = new_results(cars.size(), rows, programs_);
     for_each_group(cars.size(), programs_.lanes(), pool_, [&](std::size_t first) {
-        LaneRollout(programs_, {cars, &runs, rows, first}, options_.steps).run(out, nullptr);
+        LaneRollout(programs_, {cars, &runs, rows, first, steps_, stop_}).run(out, nullptr);
     });
     return out;
 }
@@ -99,7 +102,7 @@ RolloutResults Rollout::tangents(std::span<const RolloutCar> cars, const Rollout
     RolloutResults out = new_results(cars.size(), rows, programs_);
     changes = out;
     for_each_group(cars.size(), programs_.lanes(), pool_, [&](std::size_t first) {
-        LaneRollout(programs_, {cars, &runs, rows, first}, options_.steps, &along).run(out, &changes);
+        LaneRollout(programs_, {cars, &runs, rows, first, steps_, stop_}, &along).run(out, &changes);
     });
     return out;
 }
@@ -112,7 +115,7 @@ RolloutNumbers Rollout::gradient(std::span<const RolloutCar> cars, const Rollout
                        .states = std::vector<double>(runs.states.size()),
                        .parameters = std::vector<double>(cars.size() * parameter_count())};
     for_each_group(cars.size(), programs_.lanes(), pool_, [&](std::size_t first) {
-        LaneRollout(programs_, {cars, &runs, rows, first}, options_.steps).gradient(weights, out);
+        LaneRollout(programs_, {cars, &runs, rows, first, steps_, stop_}).gradient(weights, out);
     });
     return out;
 }
@@ -123,7 +126,7 @@ std::vector<double> Rollout::closed(std::span<const RolloutCar> cars, const Roll
     std::vector<double> out = along.states;
     constexpr std::size_t rows = 1;
     for_each_group(cars.size(), programs_.lanes(), pool_, [&](std::size_t first) {
-        LaneRollout(programs_, {cars, &runs, rows, first}, options_.steps, &along).close(out);
+        LaneRollout(programs_, {cars, &runs, rows, first, steps_, stop_}, &along).close(out);
     });
     return out;
 }

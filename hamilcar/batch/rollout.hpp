@@ -8,9 +8,10 @@
 // past rates are no such map, and a driver's decisions have no derivatives.
 //
 // Backwards, a run is computed once forwards and then row by row from its end. The stages of its steps are kept while they are few; of a
-// long run only the states at the rows are, and each row is computed once more.
+// long run the states at the rows are and the stages of one row, and each row is computed once more.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -60,14 +61,16 @@ public:
     std::size_t parameter_count() const { return programs_.parameters().size(); }
     std::vector<double> parameters_of(const Simulation& car) const;
     // Why a car cannot run here, or nothing.
-    std::string obstacle(const Simulation& car) const;
+    std::string obstacle(const RolloutCar& car) const;
+    // Asked after every step by each thread; true: the call returns at once, with numbers that mean nothing.
+    void set_stop(std::function<bool()> stop) { stop_ = std::move(stop); }
 
     // Of so many rows; `cars`: one for each run. A run that fails (not finite, a linkage locks or opens) is NaN from then on.
     RolloutResults run(std::span<const RolloutCar> cars, const RolloutNumbers& runs, std::size_t rows);
     // Also how the results change along a direction for each run.
     RolloutResults tangents(std::span<const RolloutCar> cars, const RolloutNumbers& runs, const RolloutNumbers& along,
                             std::size_t rows, RolloutResults& changes);
-    // The gradient of each run's weighted sum of results.
+    // The gradient of each run's weighted sum of results; NaN of a run that fails.
     RolloutNumbers gradient(std::span<const RolloutCar> cars, const RolloutNumbers& runs, const RolloutResults& weights,
                             std::size_t rows);
 
@@ -77,9 +80,10 @@ public:
                                const RolloutNumbers& along);
 
 private:
-    const Simulation* first_;
-    RolloutOptions options_;
+    RolloutCar first_;
+    long steps_;
     RolloutPrograms programs_;
+    std::function<bool()> stop_;
     WorkerPool pool_;
 };
 

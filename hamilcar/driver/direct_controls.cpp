@@ -68,6 +68,12 @@ DirectControls::DirectControls(const VehicleDescription& vehicle, const Scenario
     }
 }
 
+bool DirectControls::has_same_list(const DirectControls& other) const {
+    return std::ranges::equal(list_, other.list_, [](const Entry& a, const Entry& b) {
+        return a.control == b.control && a.by_wheel == b.by_wheel;
+    });
+}
+
 double DirectControls::scheduled(const Entry& entry, double value) const {
     return entry.by_wheel ? column_.rack(value).displacement : value;
 }

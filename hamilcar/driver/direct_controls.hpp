@@ -34,6 +34,8 @@ public:
     DirectControls(const VehicleDescription& vehicle, const ScenarioDescription& scenario, const Schedule& schedule);
 
     const std::vector<Entry>& list() const { return list_; }
+    // Whether rows of numbers for the one mean the same to the other.
+    bool has_same_list(const DirectControls& other) const;
     // Of a control by its place in the list, in its unit.
     double value(std::size_t control, double time, const Schedule& schedule) const;
     // From some time on [s], so many steps of this size [s].
@@ -48,7 +50,8 @@ public:
     void move(std::size_t control, double target, const Interval& interval, Schedule& schedule, Driver* driver) const;
     // How the way there goes: from 0 at the interval's beginning to 1 at its end.
     SignalPiece<double> shape(std::size_t control, const Interval& interval) const;
-    // What a control's unit is in the schedule's: d scheduled / d target.
+    // A target in the schedule's unit, and its derivative: the rack's displacement for an angle of the steering wheel.
+    double scheduled(std::size_t control, double target) const { return scheduled(list_[control], target); }
     double slope(std::size_t control, double target) const;
     // At `target` from `time` on.
     void hold(std::size_t control, double target, double time, Schedule& schedule, Driver* driver) const;

@@ -18,10 +18,12 @@ Which = Union[None, int, Sequence[int], np.ndarray]
 
 @dataclass(frozen=True)
 class Start:
-    """A car at its start, made by ``Batch.prepare``; ``numbers``: in what it differs from the batch's vehicle."""
+    """A car at its start, made by ``Batch.prepare``; ``numbers``: what it has of those that ``vary`` names."""
 
     _core: _core.Start
     numbers: Mapping[str, float]
+    _scenario: Scenario
+    _batch: object
 
 
 class Batch:
@@ -72,6 +74,7 @@ class Batch:
         start = self.prepare()
         variants = [self.prepare(changes)._core for changes in self._variation.variants()]
         self._fleet = _core.Fleet([start._core] * count, variants, threads, precision == "single", tilt_limit)
+        self._begun = [start] * count
         self._count = count
         self._controls = ControlTargets(self._fleet.controls)
         self._channels = Channels(self._fleet.channels)
@@ -99,7 +102,20 @@ class Batch:
             vehicle, own.changed(scenario or {}), speed=speed, position=position, yaw=yaw, friction=None, step=None,
             integrator=None, powered=None, energy_balance=None,
         )
-        return Start(_core.Start(vehicle._core, own._core), {name: float(value) for name, value in numbers.items()})
+        return self._made(vehicle, own, numbers)
+
+    def _made(self, vehicle: Vehicle, scenario: Scenario, numbers: Mapping[str, Any]) -> Start:
+        told = {name: float(numbers.get(name, value)) for name, value in self._variation.nominal.items()}
+        return Start(_core.Start(vehicle._core, scenario._core), told, scenario, self._variation)
+
+    def _prepare_again(self, car: int) -> Start:
+        """Where the car began last, with the numbers that it has now."""
+        numbers = self._row(car)
+        vehicle, _ = self._variation.changed(numbers)
+        scenario = self._begun[car]._scenario
+        if FRICTION in numbers:
+            scenario = scenario.changed({FRICTION: numbers[FRICTION]})
+        return self._made(vehicle, scenario, numbers)
 
     def __len__(self) -> int:
         return self._count
@@ -204,9 +220,7 @@ class Batch:
         for car in cars:
             differs = any(values[car] != self._applied[name][car] for name, values in self._varied.items())
             (changed if differs else same).append(car)
-        self._fleet.replace(changed, [self.prepare(self._row(car))._core for car in changed])  # all of them or none
-        for name, values in self._varied.items():
-            self._applied[name][changed] = values[changed]
+        self._begin(changed, [self._prepare_again(car) for car in changed])
         self._fleet.restart(same)
 
     def _begin(self, cars: list[int], starts: list[Start]) -> None:
@@ -214,9 +228,13 @@ class Batch:
             raise ValueError(f"{len(starts)} starts: expected one for each of {len(cars)} cars")
         if not all(isinstance(start, Start) for start in starts):
             raise TypeError("starts: expected what Batch.prepare made")
-        self._fleet.replace(cars, [start._core for start in starts])
+        if not all(start._batch is self._variation for start in starts):
+            raise ValueError("starts: expected those that this batch prepared, found another's")
+        self._fleet.replace(cars, [start._core for start in starts])  # all of them or none
+        for car, start in zip(cars, starts):
+            self._begun[car] = start
         for name, values in self._varied.items():
-            values[cars] = [start.numbers.get(name, self._variation.nominal[name]) for start in starts]
+            values[cars] = [start.numbers[name] for start in starts]
             self._applied[name][cars] = values[cars]
 
     def __getitem__(self, channel: str) -> np.ndarray:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ from ._simulation import Channels, ControlTargets
 from ._variation import Variation
 
 Array = Any  # whatever NumPy makes an array of
+_MOST_KEPT = 1024  # prepared cars
 
 
 class Rollout:
@@ -26,9 +27,9 @@ class Rollout:
     >>> rollout.gradient(controls, y_weights=2 * (y - measured))["controls"]      # (t, m)
 
     Controls are where ``control_names`` go to in each interval of ``steps`` steps, as in Batch.rollout, and a run has the same bits.
-    Derivatives are those of the method's steps, by the chain rule through every operation; only the way from ``parameters`` to the
+    Derivatives are those of the method's steps, by the chain rule through every operation; the way from ``parameters`` to the
     numbers of the model and to where the car settles is taken by differences of fourth order. A row of arrays ``(n, ...)`` is n
-    runs, in as many lanes of the processor. A run that fails is NaN from there on.
+    runs, in as many lanes of the processor. A run that fails is NaN from there on, and its gradient is.
     """
 
     def __init__(
@@ -60,6 +61,7 @@ class Rollout:
         self.parameter_names = list(self._variation.nominal)
         self.parameters = np.array(list(self._variation.nominal.values()))
         self._made: OrderedDict[bytes, _core.Start] = OrderedDict()
+        self._known: dict[bytes, tuple[np.ndarray, np.ndarray]] = {}
         start = self._start_of(self.parameters)
         channels = Channels(start.channels)
         self.record = list(record)
@@ -92,8 +94,7 @@ class Rollout:
             if value != self._variation.nominal[name]
         }
         made = self._made[key] = self._make(changed)
-        most_kept = 1024
-        if len(self._made) > most_kept:
+        if len(self._made) > _MOST_KEPT:
             self._made.popitem(last=False)
         return made
 
@@ -124,6 +125,8 @@ class Rollout:
         if len(counts) > 1:
             raise ValueError(f"expected one number of runs, found {sorted(counts)}")
         n = counts.pop() if counts else 1
+        if n == 0:
+            raise ValueError("expected at least one run, found none")
         many = rows.ndim == 3 or any(array.ndim == 2 for array in arrays.values())
         values = np.broadcast_to(arrays["parameters"], (n, p))
         starts = [self._start_of(np.ascontiguousarray(one)) for one in values]
@@ -143,7 +146,7 @@ class Rollout:
 
         ``controls``: ``(t, m)`` or ``(n, t, m)``; ``parameters``: ``(p,)`` or ``(n, p)``, in the units of their names; ``state``:
         ``(s,)`` or ``(n, s)``, without it where the car with these parameters starts; ``held``: ``(m,)`` or ``(n, m)``, where the
-        controls are before the first row."""
+        controls are before the first row, to which the state must fit: with a rack elsewhere the linkage would be torn."""
         many, _, rows, starts, states = self._runs(controls, parameters, state, held)
         y, end = self._core.run(starts, rows, states)
         return (y, end) if many else (y[0], end[0])
@@ -176,6 +179,7 @@ class Rollout:
             for i, one in enumerate(values):
                 of_numbers, of_start = self._sensitivity(one)
                 along_numbers[i] = of_numbers.T
+                along_rows[i] = self._targets_by_parameters(one, rows[i])
                 if state is None:
                     along_states[i] = of_start.T
         else:
@@ -223,6 +227,7 @@ class Rollout:
             if values.shape[1]:
                 of_numbers, of_start = self._sensitivity(one)
                 by_parameters[i] = by_numbers[i] @ of_numbers + (by_state[i] @ of_start if state is None else 0.0)
+                by_parameters[i] += np.sum(by_controls[i] * self._targets_by_parameters(one, rows[i]), axis=(1, 2))
         out = {
             "controls": by_controls[:, 1:], "parameters": by_parameters, "state": by_state, "held": by_controls[:, 0],
         }
@@ -234,28 +239,48 @@ class Rollout:
         many, _, rows, starts, states = self._runs(controls, parameters, state, held)
         if many:
             raise ValueError("expected one run: controls (t, m)")
+        if "posts" in self.scenario.to_dict().get("road", {}):
+            raise ValueError("the posts move the ground over time: expected a road that is the same in each row")
         return linear_steps(self._core, self._numbers, starts[0], rows[0], states[0], self.control_names)
 
-    def _sensitivity(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """How the numbers of the model and the start change with the parameters, by differences of fourth order: a file's numbers pass
-        its reader, linkages are assembled and the car settles, which is no list of operations."""
-        of_numbers, of_start = [], []
+    def _stencils(self, values: np.ndarray) -> Iterator[tuple[int, list[_core.Start], list[float]]]:
+        """For each parameter the cars beside the one with these values, and their weights in the derivative: differences of fourth
+        order, since a file's numbers pass its reader, linkages are assembled and the car settles, which is no list of operations."""
         for j, name in enumerate(self.parameter_names):
             low, high = self._variation.limits(name)
             spacing = 1e-3 * max(abs(values[j]), 1e-3 * abs(self.parameters[j]), 1e-3)
-            spacing = 10.0 ** np.floor(np.log10(spacing))
-            places, weights = _stencil(values[j], spacing, low, high)
-            numbers = np.zeros(self._core.parameters_of(self._start_of(np.ascontiguousarray(values))).size)
-            start = np.zeros(len(self.state_names))
-            for place, weight in zip(places, weights):
+            places, weights = _stencil(values[j], 10.0 ** np.floor(np.log10(spacing)), low, high)
+            cars = []
+            for place in places:
                 other = np.array(values)
                 other[j] += place
-                made = self._start_of(other)
-                numbers += weight * self._core.parameters_of(made)
-                start += weight * self._core.state_of(made)
-            of_numbers.append(numbers)
-            of_start.append(start)
-        return np.array(of_numbers).T, np.array(of_start).T
+                cars.append(self._start_of(other))
+            yield j, cars, weights
+
+    def _sensitivity(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """How the numbers of the model and the start change with the parameters: a column for each."""
+        key = values.tobytes()
+        if key not in self._known:
+            of_numbers, of_start = [], []
+            for _, cars, weights in self._stencils(values):
+                of_numbers.append(sum(w * self._core.parameters_of(car) for w, car in zip(weights, cars)))
+                of_start.append(sum(w * self._core.state_of(car) for w, car in zip(weights, cars)))
+            if len(self._known) >= _MOST_KEPT:
+                self._known.clear()
+            self._known[key] = np.array(of_numbers).T, np.array(of_start).T
+        return self._known[key]
+
+    def _targets_by_parameters(self, values: np.ndarray, rows: np.ndarray) -> np.ndarray:
+        """Changes of the targets ``(p, t + 1, m)`` that act as the parameters do: the steering's ratio is between wheel and rack, and no
+        number of the model."""
+        out = np.zeros((len(values), *rows.shape))
+        if "steering_wheel" not in self.control_names or not any(n.startswith("steering") for n in self.parameter_names):
+            return out
+        _, slopes = self._core.scheduled(self._start_of(np.ascontiguousarray(values)), rows)
+        for j, cars, weights in self._stencils(values):
+            if self.parameter_names[j].startswith("steering"):
+                out[j] = sum(w * self._core.scheduled(car, rows)[0] for w, car in zip(weights, cars)) / slopes
+        return out
 
     def __repr__(self) -> str:
         return f"<hamilcar.Rollout of {self.vehicle.name!r}, {self.steps} steps a row>"

@@ -34,17 +34,18 @@ class Variation:
         return (about.min, about.max) if about else (0.0, float("inf")) if name == FRICTION else (-float("inf"), float("inf"))
 
     def variants(self) -> list[dict[str, float]]:
-        """Changes in all of them, each by a share of its own, so that a program takes each from each car."""
+        """Changes in all of them, each by shares of its own, so that a program takes from each car whatever number of the model moves
+        with one of them, if only in its last digits."""
         if not self.nominal:
             return []
         out = []
-        for sign in (1, -1):
+        for size in (1, -1, 3.7, -2.3):
             changes: dict[str, float] = {}
             for i, (name, value) in enumerate(self.nominal.items()):
                 about = self._numbers.get(name)
                 if about is not None and about.is_whole:
                     raise ValueError(f"{name} counts something: cars of one program share it")
-                share = sign * 0.01 * (1 + 0.37 * i / (1 + i))
+                share = size * 0.01 * (1 + 0.37 * i / (1 + i))
                 other = value * (1 + share) if value != 0 else share
                 low, high = self.limits(name)
                 changes[name] = other if low <= other <= high else value

@@ -113,7 +113,8 @@ public:
         if (cars.size() != starts.size()) throw nb::value_error("expected a start for each car");
         expect_starts(starts);
         for (std::size_t i = 0; i < cars.size(); ++i) {
-            const std::string obstacle = batch_->obstacle_to_replace(check(cars[i]), starts[i]->simulation);
+            std::string obstacle = batch_->obstacle_to_replace(check(cars[i]), starts[i]->simulation);
+            if (!starts[i]->controls.has_same_list(controls())) obstacle = "they differ in their controls";
             if (!obstacle.empty()) {
                 throw nb::value_error(
                     fmt::format("car {} cannot begin like this in this batch: {}", cars[i], obstacle).c_str());

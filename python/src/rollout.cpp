@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <thread>
+
 #include "controls.hpp"
 #include "hamilcar/vehicle/state_layout.hpp"
 #include "start.hpp"
@@ -19,6 +21,7 @@ public:
         : start_(std::move(start)) {
         expect_start(start_), expect_starts(variants);
         if (steps < 1) throw nb::value_error("expected at least one step");
+        if (threads < 0) throw nb::value_error("threads: expected a number not below zero");
         TracedReaders readers;
         for (const std::size_t i : channels) {
             const Channel& channel = start_->channels.at(i);
@@ -38,10 +41,7 @@ public:
         const Turn turn(busy_);
         const Runs runs = checked(starts, controls, states);
         RolloutResults out;
-        {
-            const nb::gil_scoped_release release;
-            out = rollout_->run(runs.cars, runs.numbers, runs.rows);
-        }
+        unlocked([&] { out = rollout_->run(runs.cars, runs.numbers, runs.rows); });
         return nb::make_tuple(by_row(std::move(out.channels), runs), by_state(std::move(out.states), runs));
     }
 
@@ -56,10 +56,7 @@ public:
             .parameters =
                 numbers(along_parameters, starts.size() * rollout_->parameter_count(), "directions of the parameters")};
         RolloutResults out, changes;
-        {
-            const nb::gil_scoped_release release;
-            out = rollout_->tangents(runs.cars, runs.numbers, along, runs.rows, changes);
-        }
+        unlocked([&] { out = rollout_->tangents(runs.cars, runs.numbers, along, runs.rows, changes); });
         return nb::make_tuple(by_row(std::move(out.channels), runs), by_state(std::move(out.states), runs),
                               by_row(std::move(changes.channels), runs), by_state(std::move(changes.states), runs));
     }
@@ -74,10 +71,7 @@ public:
                                 "weights of the channels"),
             .states = numbers(state_weights, runs.numbers.states.size(), "weights of the states")};
         RolloutNumbers out;
-        {
-            const nb::gil_scoped_release release;
-            out = rollout_->gradient(runs.cars, runs.numbers, weights, runs.rows);
-        }
+        unlocked([&] { out = rollout_->gradient(runs.cars, runs.numbers, weights, runs.rows); });
         return nb::make_tuple(
             new_numbers(std::move(out.controls), {starts.size(), runs.rows + 1, start_->controls.list().size()}),
             by_state(std::move(out.states), runs),
@@ -103,6 +97,20 @@ public:
         }
         return out;
     }
+    // Rows of controls of a start in the schedule's units, and the derivatives of these by those.
+    nb::tuple scheduled(const std::shared_ptr<const Start>& start, const Numbers& controls) const {
+        const DirectControls& own = checked(start).controls;
+        if (own.list().empty() || controls.ndim() != 2 || controls.shape(1) != own.list().size()) {
+            throw nb::value_error("expected rows of controls");
+        }
+        std::vector<double> values, slopes;
+        for (std::size_t i = 0; i < controls.size(); ++i) {
+            values.push_back(own.scheduled(i % own.list().size(), controls.data()[i]));
+            slopes.push_back(own.slope(i % own.list().size(), controls.data()[i]));
+        }
+        const std::vector<std::size_t> shape{controls.shape(0), controls.shape(1)};
+        return nb::make_tuple(new_numbers(std::move(values), shape), new_numbers(std::move(slopes), shape));
+    }
     // Name, unit, and whether it is free: neither dependent on others nor an account of energy.
     nb::list state_numbers() const {
         nb::list out;
@@ -125,16 +133,30 @@ public:
             .states = numbers(along_states, runs.numbers.states.size(), "directions of the states"),
             .parameters = std::vector<double>(starts.size() * rollout_->parameter_count())};
         std::vector<double> out;
-        {
-            const nb::gil_scoped_release release;
-            out = rollout_->closed(runs.cars, runs.numbers, along);
-        }
+        unlocked([&] { out = rollout_->closed(runs.cars, runs.numbers, along); });
         return by_state(std::move(out), runs);
     }
     const DirectControls& controls() const { return start_->controls; }
     const std::vector<Channel>& channels() const { return start_->channels; }
 
 private:
+    // Runs work() without the interpreter's lock, on the pool's threads; Ctrl-C is for the one that called.
+    template <class Work>
+    void unlocked(const Work& work) {
+        Interruption interruption;
+        std::atomic<bool> stops{false};
+        const auto caller = std::this_thread::get_id();
+        rollout_->set_stop([&] {
+            if (!stops && std::this_thread::get_id() == caller && interruption.asked()) stops = true;
+            return stops.load();
+        });
+        {
+            const nb::gil_scoped_release release;
+            work();
+        }
+        rollout_->set_stop({});
+        interruption.raise_if_interrupted();
+    }
     struct Runs {
         std::vector<RolloutCar> cars;
         RolloutNumbers numbers;
@@ -149,12 +171,13 @@ private:
     }
     const Start& checked(const std::shared_ptr<const Start>& start) const {
         expect_start(start);
-        const std::string obstacle = rollout_->obstacle(start->simulation);
+        const std::string obstacle = rollout_->obstacle({&start->simulation, &start->controls});
         if (!obstacle.empty()) throw nb::value_error(obstacle.c_str());
         return *start;
     }
     Runs checked(const Starts& starts, const Numbers& controls, const Numbers& states) const {
         if (starts.empty()) throw nb::value_error("expected at least one run");
+        expect_starts(starts);
         const std::size_t count = start_->controls.list().size();
         if (controls.ndim() != 3 || controls.shape(0) != starts.size() || controls.shape(1) < 2 ||
             controls.shape(2) != count) {
@@ -168,7 +191,7 @@ private:
             if (start.get() != known) known = &checked(start);
             out.cars.push_back({&known->simulation, &known->controls});
         }
-        for (std::size_t i = 0; i < controls.size() / count; ++i) {
+        for (std::size_t i = 0; i < starts.size() * (out.rows + 1); ++i) {
             const double* row = controls.data() + i * count;
             expect_targets(starts[i / (out.rows + 1)]->controls, row);
             for (std::size_t k = 0; k < count; ++k) {
@@ -204,6 +227,7 @@ void add_rollout(nb::module_& module) {
              "channel_weights"_a.noconvert(), "state_weights"_a.noconvert())
         .def("parameters_of", &Runner::parameters_of, "start"_a)
         .def("state_of", &Runner::state_of, "start"_a)
+        .def("scheduled", &Runner::scheduled, "start"_a, "controls"_a.noconvert())
         .def("held", &Runner::held, "start"_a)
         .def("state_numbers", &Runner::state_numbers)
         .def("closed", &Runner::closed, "starts"_a, "controls"_a.noconvert(), "states"_a.noconvert(),

@@ -175,6 +175,15 @@ def test_starts_that_do_not_fit_are_refused():
         batch.reset(None, [batch.prepare()])
     with pytest.raises(TypeError, match="prepare"):
         batch.reset([0], [None])
-    with pytest.raises(ValueError, match="car 1"):
-        batch.reset([1], hamilcar.Batch("pickup", 1).prepare())
+    with pytest.raises(ValueError, match="another's"):
+        batch.reset([1], hamilcar.Batch("bmw_323i", 2, vary=["chassis.mass_kg"]).prepare())
     assert (batch.states == before).all()
+
+
+def test_a_start_stays_with_its_car():
+    batch = hamilcar.Batch("bmw_323i", 2, speed=20.0, vary=["chassis.mass_kg"])
+    batch.reset([0], starts=batch.prepare(speed=10.0))
+    batch.expand("chassis.mass_kg")[:] += 100.0
+    batch.reset()
+    assert batch["chassis.speed"] == pytest.approx([10.0, 20.0])
+    assert batch.vehicle_of(0)["chassis.mass_kg"] == batch.vehicle_of(1)["chassis.mass_kg"] == 1102.0

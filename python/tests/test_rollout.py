@@ -113,6 +113,58 @@ def test_a_run_that_fails_is_not_a_number_and_the_others_go_on(rollout, random):
     y, end = rollout(controls, state=state)
     assert np.isnan(y[0]).all() and np.isnan(end[0]).all()
     assert (y[1] == rollout(controls[1])[0]).all()
+    found = rollout.gradient(controls, state=state, y_weights=np.ones(y.shape))
+    alone = rollout.gradient(controls[1], state=state[1], y_weights=np.ones(y.shape[1:]))
+    for name in ("controls", "held", "state"):
+        assert np.isnan(found[name][0]).all()
+        assert np.allclose(found[name][1], alone[name], rtol=1e-12)
+
+
+@pytest.mark.parametrize("steps", [1, 4, 5])
+def test_the_steering_ratio_is_a_parameter(steps, random):
+    """It is no number of the model, but stands between the wheel and the rack."""
+    name = "steering.rack_m_per_revolution"
+    rollout = hamilcar.Rollout("bmw_323i", parameters=[name], record=RECORD, speed=20.0, steps=steps, threads=1)
+    controls = rows(random, rollout.control_names, 5)
+    controls[:, 2] = 0.0
+    dy, _ = rollout.jacobian(controls)
+    h = 1e-6
+    expected = (rollout(controls, rollout.parameters + h)[0] - rollout(controls, rollout.parameters - h)[0]) / (2 * h)
+    assert np.abs(expected).max() > 0.01
+    assert np.abs(dy[..., 0] - expected).max() < 1e-5 * np.abs(expected).max()
+    weights = random.normal(size=expected.shape)
+    found = rollout.gradient(controls, y_weights=weights)["parameters"][0]
+    assert found == pytest.approx(np.sum(weights * dy[..., 0]), rel=1e-9)
+
+
+def test_cars_with_other_controls_are_refused():
+    names = ["axle.front.brake.max_torque_N_m", "axle.rear.brake.max_torque_N_m"]
+    rollout = hamilcar.Rollout("bmw_323i", parameters=names, record=["chassis.speed"], speed=20.0, threads=1)
+    with pytest.raises(ValueError, match="controls"):
+        rollout(np.zeros((4, 3)), parameters=[0.0, 0.0])
+    batch = hamilcar.Batch("bmw_323i", 3, speed=20.0)
+    windy = batch.prepare(scenario={"wind": {"toward_deg": 90.0, "speed_m_per_s": 15.0}})
+    with pytest.raises(ValueError, match="controls"):
+        batch.reset([1], starts=windy)
+
+
+def test_a_car_without_controls_rolls():
+    vehicle = hamilcar.Vehicle("bmw_323i").to_dict()
+    del vehicle["steering"]
+    for axle in vehicle["axle"]:
+        axle["brake"]["max_torque_N_m"] = 0.0
+        axle.pop("drive_share", None)
+    rollout = hamilcar.Rollout(vehicle, record=["chassis.speed"], speed=20.0, threads=1)
+    y, _ = rollout(np.zeros((3, 0)))
+    assert y.shape == (3, 1) and (np.diff(y[:, 0]) < 0).all()
+    assert rollout.gradient(np.zeros((3, 0)), y_weights=np.ones((3, 1)))["controls"].shape == (3, 0)
+
+
+def test_toe_can_vary():
+    """It moves numbers of the model that it changes in their last digits alone."""
+    rollout = hamilcar.Rollout("bmw_323i", parameters=["axle.rear.wheel.toe_in_deg"], record=RECORD, speed=20.0, threads=1)
+    dy, _ = rollout.jacobian(np.tile([0.3, 0.0, 0.0], (5, 1)))
+    assert np.isfinite(dy).all()
 
 
 def test_parameters_at_a_limit_have_derivatives_to_one_side():
@@ -129,6 +181,9 @@ def test_parameters_at_a_limit_have_derivatives_to_one_side():
         (lambda r: r(np.zeros((4, 3)), parameters=[1.0]), ValueError, "parameters of shape"),
         (lambda r: r(np.zeros((2, 4, 3)), state=np.zeros((3, 44))), ValueError, "one number of runs"),
         (lambda r: r(np.full((4, 3), np.nan)), ValueError, "NaN"),
+        (lambda r: r(np.zeros((0, 4, 3))), ValueError, "at least one run"),
+        (lambda r: r._core.run([None], np.zeros((1, 2, 3)), r.start[None]), TypeError, "start"),
+        (lambda r: hamilcar.Rollout(threads=-1), ValueError, "threads"),
         (lambda r: r(np.full((4, 3), 7e9)), ValueError, "steering_wheel"),
         (lambda r: r.jacobian(np.zeros((4, 3)), wrt="mass"), ValueError, "expected one of"),
         (lambda r: r.gradient(np.zeros((4, 3)), y_weights=np.zeros(4)), ValueError, "y_weights"),

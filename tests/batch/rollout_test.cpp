@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <bit>
 #include <memory>
 
@@ -196,7 +197,7 @@ TEST_P(RolloutOf, TangentsOfTheRightHandSideAreThoseOfDualNumbers) {
     }
 }
 
-// Along a direction that moves controls and parameters (a heavier car that starts as this one).
+// Along a direction of all controls.
 TEST_P(RolloutOf, TangentsAreThoseOfDifferences) {
     constexpr std::size_t rows = 6;
     RolloutNumbers runs = runs_of(rollout_, car_, 1, rows);
@@ -259,16 +260,54 @@ TEST_P(RolloutOf, GradientsAreThoseOfTangents) {
 
 TEST(Rollout, OfALongRunComputesRowsAgainForTheSameGradient) {
     const Car car(test::shipped("bmw_323i"));
-    // 64 MiB hold some 5000 steps of it.
-    Rollout rollout(car.car(), readers(car.simulation.vehicle()), {.steps = 500, .threads = 1});
-    const auto gradient = [&](std::size_t rows) {
-        const RolloutNumbers runs = runs_of(rollout, car, 1, rows);
-        RolloutResults weights{std::vector<double>(rows * rollout.channel_count()),
-                               std::vector<double>(rollout.state_size())};
-        weights.channels[0] = 1;  // after the first row: what follows makes no difference
-        return rollout.gradient(std::array{car.car()}, runs, weights, rows);
+    constexpr long steps = 250;
+    Rollout rollout(car.car(), readers(car.simulation.vehicle()), {.steps = steps, .threads = 1});
+    const auto lanes = static_cast<std::size_t>(default_engine().lanes(Precision::double_precision));
+    const std::size_t bytes_of_row =
+        4 * rollout.state_size() * lanes * sizeof(double) * static_cast<std::size_t>(steps);
+    const std::size_t rows = (std::size_t{64} << 20) / bytes_of_row + 2;  // more than are kept
+    const RolloutNumbers runs = runs_of(rollout, car, 1, rows);
+    const auto numbers = [](std::size_t count, double phase) {
+        std::vector<double> out(count);
+        for (std::size_t i = 0; i < count; ++i) out[i] = std::sin(phase + 1.7 * static_cast<double>(i));
+        return out;
     };
-    EXPECT_THAT(gradient(14).states, testing::ElementsAreArray(gradient(1).states));
+    const RolloutResults weights{numbers(rows * rollout.channel_count(), 0.3), numbers(rollout.state_size(), 0.8)};
+    const RolloutNumbers along{numbers(runs.controls.size(), 1), std::vector<double>(rollout.state_size()), {}};
+    RolloutResults changes;
+    rollout.tangents(std::array{car.car()}, runs, along, rows, changes);
+    const RolloutNumbers gradient = rollout.gradient(std::array{car.car()}, runs, weights, rows);
+    double forward = 0, backward = 0, size = 0;
+    const auto add = [&size](double& to, const std::vector<double>& x, const std::vector<double>& y) {
+        for (std::size_t i = 0; i < x.size(); ++i) to += x[i] * y[i], size += std::abs(x[i] * y[i]);
+    };
+    add(forward, weights.channels, changes.channels), add(forward, weights.states, changes.states);
+    add(backward, gradient.controls, along.controls);
+    EXPECT_NEAR(forward, backward, 1e-10 * size);
+}
+
+TEST(Rollout, RefusesCarsWithOtherControls) {
+    const Car car(test::shipped("bmw_323i"));
+    VehicleDescription without = test::shipped("bmw_323i");
+    for (SuspensionDescription& suspension : without.suspensions) {
+        for (SuspensionWheelDescription& wheel : suspension.wheels) wheel.brake.max_torque = 0;
+    }
+    const Car other(without);
+    Rollout rollout(car.car(), {}, {.variants = {&other.simulation}});
+    EXPECT_EQ(rollout.obstacle(car.car()), "");
+    EXPECT_THAT(rollout.obstacle(other.car()), testing::HasSubstr("controls"));
+}
+
+TEST(Rollout, StopsWhenAsked) {
+    const Car car(test::shipped("bmw_323i"));
+    Rollout rollout(car.car(), {}, {.steps = 100000000, .threads = 2});
+    const RolloutNumbers runs = runs_of(rollout, car, 20, 3);
+    std::atomic<int> asked = 0;
+    rollout.set_stop([&] { return ++asked > 50; });
+    rollout.run(std::vector<RolloutCar>(20, car.car()), runs, 3);
+    rollout.gradient(std::vector<RolloutCar>(20, car.car()), runs,
+                     {std::vector<double>(), std::vector<double>(20 * rollout.state_size())}, 3);
+    EXPECT_GT(asked, 50);
 }
 
 TEST(Rollout, OnAnUnevenRoadHasTheTangentsOfDifferences) {
