@@ -26,7 +26,7 @@ LaneRollout::LaneRollout(RolloutPrograms& programs, const LaneRuns& runs, const 
       controls_(cars(), runs.steps, step_),
       integrator_(method_of(*runs.cars[0].simulation), step_, static_cast<int>(rhs_.state_count()), 0,
                   Numbers(rhs_.state_count())),
-      inputs_((along ? 2 : 1) * RhsInput::size * lanes_),
+      inputs_((along ? std::size_t{2} : std::size_t{1}) * RhsInput::size * lanes_),
       now_(rhs_.state_count()),
       first_(rhs_.report()),
       further_(rhs_.report()),

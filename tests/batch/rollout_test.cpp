@@ -123,8 +123,8 @@ TEST_P(RolloutOf, TangentsOfTheRightHandSideAreThoseOfDualNumbers) {
         const auto evaluation = std::make_unique<Evaluation<D>>();
         evaluate_rhs(model, inputs, state, rate, *evaluation);
 
-        LaneNumbers<double> states(2 * size * lanes), given(2 * RhsInput::size * lanes), rates(2 * size * lanes),
-            report(2 * programs.report_size() * lanes);
+        LaneNumbers<double> states(2 * size * lanes), given(std::size_t{2} * RhsInput::size * lanes),
+            rates(2 * size * lanes), report(2 * programs.report_size() * lanes);
         const std::array<double, 5> values{input.rack.displacement, input.rack.rate, input.rack.acceleration,
                                            input.drive_torque, input.brake};
         for (std::size_t lane = 0; lane < lanes; ++lane) {
