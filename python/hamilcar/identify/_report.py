@@ -50,7 +50,8 @@ def _columns(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
 def _summary(found: Identification) -> str:
     return (
         f"reduced chi-square {found.reduced_chi_square:.3g}, {found.degrees_of_freedom} degrees of freedom, "
-        f"{found.evaluations} evaluations, {len(found.start_costs)} starts"
+        f"{found.evaluations} evaluations, "
+        + ("one start" if len(found.start_costs) == 1 else f"{len(found.start_costs)} starts")
     )
 
 
