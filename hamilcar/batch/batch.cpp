@@ -124,6 +124,7 @@ Batch::Sampler Batch::sampler(const TracedReaders& readers) const {
     Sampler out{.of_group = {}, .count = readers.size()};
     for (const Group& group : groups_) {
         out.of_group.push_back(sample_program(group.example, group.common, *engine_, precision_, readers));
+        expect_lanes(*out.of_group.back(), group.program->executable->lanes());
     }
     return out;
 }
@@ -150,14 +151,8 @@ void Batch::restart(std::size_t car) {
 
 std::string Batch::obstacle_to_replace(std::size_t car, const Simulation& by) const {
     if (by.steps_taken() != 0) return "it has already been advanced";
-    std::string difference = topology_difference(*cars_[car], by);
-    if (difference.empty() && elimination_order(cars_[car]->model().vehicle) != elimination_order(by.model().vehicle)) {
-        difference = "the order in which a linkage's equations are solved";
-    }
     const std::vector<int>& parameters = groups_[group_of_[slots_[car].chunk]].program->parameters;
-    if (difference.empty() && differs_in_constant(parameters, cars_[car]->model(), by.model())) {
-        difference = "a number that all cars of the batch share: it was made without a variant for it";
-    }
+    const std::string difference = program_difference(*cars_[car], by, parameters);
     return difference.empty() ? difference : "they differ in " + difference;
 }
 

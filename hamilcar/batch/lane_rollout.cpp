@@ -31,16 +31,18 @@ LaneRollout::LaneRollout(RolloutPrograms& programs, const LaneRuns& runs, const 
       first_(rhs_.report()),
       further_(rhs_.report()),
       failed_(lanes_) {
+    const std::size_t count = programs.parameters().size();
+    const Simulation* known = nullptr;  // many runs are of one car
+    std::vector<double> numbers;
     for (std::size_t lane = 0; lane < lanes_; ++lane) {
-        const Model<double>& model = runs_.cars[run_of(lane)].simulation->model();
-        const std::vector<double> numbers = numbers_of(model).numbers;
-        const std::vector<int>& parameters = programs.parameters();
-        for (std::size_t i = 0; i < parameters.size(); ++i) {
-            rhs_.parameter(i, lane) = numbers[static_cast<std::size_t>(parameters[i])];
-            if (!along) continue;
-            rhs_.parameter(parameters.size() + i, lane) = along->parameters[run_of(lane) * parameters.size() + i];
+        const Simulation* car = runs_.cars[run_of(lane)].simulation;
+        if (car != known) numbers = programs.parameters_of(car->model());
+        known = car;
+        for (std::size_t i = 0; i < count; ++i) {
+            rhs_.parameter(i, lane) = numbers[i];
+            if (along) rhs_.parameter(count + i, lane) = along->parameters[run_of(lane) * count + i];
         }
-        rhs_.set_surface(lane, model.surface);
+        rhs_.set_surface(lane, car->model().surface);
     }
     start();
 }

@@ -15,11 +15,7 @@ namespace {
 std::vector<const Model<double>*> models(const Simulation& first, const std::vector<const Simulation*>& variants) {
     std::vector<const Model<double>*> out{&first.model()};
     for (const Simulation* variant : variants) {
-        std::string difference = topology_difference(first, *variant);
-        if (difference.empty() &&
-            elimination_order(first.model().vehicle) != elimination_order(variant->model().vehicle)) {
-            difference = "the order in which a linkage's equations are solved";
-        }
+        const std::string difference = program_difference(first, *variant);
         if (!difference.empty()) throw std::invalid_argument("a variant differs in " + difference);
         out.push_back(&variant->model());
     }
@@ -41,13 +37,6 @@ Rollout::Rollout(const RolloutCar& car, const TracedReaders& readers, const Roll
     if (!problem.empty()) throw std::invalid_argument(problem);
 }
 
-std::vector<double> Rollout::parameters_of(const Simulation& car) const {
-    const std::vector<double> numbers = numbers_of(car.model()).numbers;
-    std::vector<double> out;
-    for (const int i : programs_.parameters()) out.push_back(numbers[static_cast<std::size_t>(i)]);
-    return out;
-}
-
 std::string Rollout::obstacle(const RolloutCar& of) const {
     const Simulation& car = *of.simulation;
     const Simulation& first = *first_.simulation;
@@ -58,13 +47,7 @@ std::string Rollout::obstacle(const RolloutCar& of) const {
     if (car.driver()) return "a driver's decisions have no derivatives: expected a scenario without one";
     if (&car == &first) return "";
     if (!of.controls->has_same_list(*first_.controls)) return "they differ in their controls";
-    std::string difference = topology_difference(first, car);
-    if (difference.empty() && elimination_order(first.model().vehicle) != elimination_order(car.model().vehicle)) {
-        difference = "the order in which a linkage's equations are solved";
-    }
-    if (difference.empty() && differs_in_constant(programs_.parameters(), first.model(), car.model())) {
-        difference = "a number that all cars of the rollout share: it was made without a variant for it";
-    }
+    const std::string difference = program_difference(first, car, programs_.parameters());
     return difference.empty() ? difference : "they differ in " + difference;
 }
 
@@ -88,7 +71,6 @@ void for_each_group(std::size_t runs, int lanes, WorkerPool& pool, const F& f) {
 }  // namespace
 
 RolloutResults Rollout::run(std::span<const RolloutCar> cars, const RolloutNumbers& runs, std::size_t rows) {
-    programs_.plain();
     RolloutResults out = new_results(cars.size(), rows, programs_);
     for_each_group(cars.size(), programs_.lanes(), pool_, [&](std::size_t first) {
         LaneRollout(programs_, {cars, &runs, rows, first, steps_, stop_}).run(out, nullptr);
@@ -109,7 +91,6 @@ RolloutResults Rollout::tangents(std::span<const RolloutCar> cars, const Rollout
 
 RolloutNumbers Rollout::gradient(std::span<const RolloutCar> cars, const RolloutNumbers& runs,
                                  const RolloutResults& weights, std::size_t rows) {
-    programs_.plain();
     programs_.adjoint();
     RolloutNumbers out{.controls = std::vector<double>(runs.controls.size()),
                        .states = std::vector<double>(runs.states.size()),

@@ -40,8 +40,7 @@ struct RolloutOptions {
 
 // Runs, one after the other, each with its numbers; or derivatives along or by them.
 struct RolloutNumbers {
-    std::vector<double>
-        controls;  // of a run: rows + 1 times each control, where it is at the start and at the end of each row
+    std::vector<double> controls;    // of a run: where each is at the start, then at the end of each row
     std::vector<double> states;      // at the start
     std::vector<double> parameters;  // of the model, as numbers_of lists them; only of derivatives
 };
@@ -59,7 +58,7 @@ public:
     std::size_t state_size() const { return programs_.state_size(); }
     std::size_t channel_count() const { return programs_.channel_count(); }
     std::size_t parameter_count() const { return programs_.parameters().size(); }
-    std::vector<double> parameters_of(const Simulation& car) const;
+    std::vector<double> parameters_of(const Simulation& car) const { return programs_.parameters_of(car.model()); }
     // Why a car cannot run here, or nothing.
     std::string obstacle(const RolloutCar& car) const;
     // Asked after every step by each thread; true: the call returns at once, with numbers that mean nothing.

@@ -13,46 +13,55 @@ RolloutPrograms::RolloutPrograms(std::span<const Model<double>* const> cars, con
     sample_ = trace_sample(example, common, Precision::double_precision, readers);
     state_size_ = static_cast<std::size_t>(example.vehicle.state_size);
     chart_ = example.chart;
+    const auto in_lanes = [](const RhsTrace& trace) {
+        return program::in_single_numbers(program::without_dead_code(trace.graph));
+    };
+    plain_.rhs = made(in_lanes(rhs_));
+    if (plain_.rhs->lanes() != engine.lanes(Precision::double_precision)) engine_ = &program::backends().back();
+    plain_.sample = made(in_lanes(sample_));
 }
 
-const RolloutPrograms::Pair& RolloutPrograms::plain() {
-    if (!plain_.rhs) {
-        const auto made = [this](const program::Graph& graph) {
-            return compiled(program::in_single_numbers(program::without_dead_code(graph)), *engine_, true);
-        };
-        plain_ = {made(rhs_.graph), made(sample_.graph)};
-    }
-    return plain_;
+std::vector<double> RolloutPrograms::parameters_of(const Model<double>& car) const {
+    const std::vector<double> numbers = numbers_of(car).numbers;
+    std::vector<double> out;
+    for (const int i : rhs_.parameters) out.push_back(numbers[static_cast<std::size_t>(i)]);
+    return out;
+}
+
+std::unique_ptr<const program::Executable> RolloutPrograms::made(const program::Graph& graph) const {
+    auto out = compiled(graph, *engine_, true);
+    if (plain_.rhs) expect_lanes(*out, lanes());
+    return out;
 }
 
 const RolloutPrograms::Pair& RolloutPrograms::with_tangents() {
     if (!with_tangents_.rhs) {
-        const auto made = [this](const program::Graph& graph, std::size_t results) {
+        const auto passed = [this](const program::Graph& graph, std::size_t results) {
             program::DerivativeOptions options{.call_offset = RhsCall::tangents};
             options.places[rhs_state] = {rhs_state, static_cast<int>(state_size_)};
             options.places[rhs_input] = {rhs_input, RhsInput::size};
             options.places[rhs_parameters] = {rhs_parameters, static_cast<int>(rhs_.parameters.size())};
             options.places[rhs_rate] = {rhs_rate, static_cast<int>(results)};
             options.places[rhs_report] = {rhs_report, static_cast<int>(report_size())};
-            return compiled(program::with_tangents(graph, options), *engine_, true);
+            return made(program::with_tangents(graph, options));
         };
-        with_tangents_ = {made(rhs_.graph, state_size_), made(sample_.graph, channel_count_)};
+        with_tangents_ = {passed(rhs_.graph, state_size_), passed(sample_.graph, channel_count_)};
     }
     return with_tangents_;
 }
 
 const RolloutPrograms::Pair& RolloutPrograms::adjoint() {
     if (!adjoint_.rhs) {
-        const auto made = [this](const program::Graph& graph) {
+        const auto passed = [this](const program::Graph& graph) {
             program::DerivativeOptions options{.call_offset = RhsCall::adjoints};
             options.places[rhs_state] = {rollout_state_adjoint, 0};
             options.places[rhs_input] = {rollout_input_adjoint, 0};
             options.places[rhs_parameters] = {rollout_parameter_adjoint, 0};
             options.places[rhs_rate] = {rhs_rate, 0};
             options.places[rhs_report] = {rhs_report, 0};
-            return compiled(program::adjoint(graph, options), *engine_, true);
+            return made(program::adjoint(graph, options));
         };
-        adjoint_ = {made(rhs_.graph), made(sample_.graph)};
+        adjoint_ = {passed(rhs_.graph), passed(sample_.graph)};
     }
     return adjoint_;
 }

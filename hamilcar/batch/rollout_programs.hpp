@@ -1,5 +1,5 @@
-// The programs of a rollout: the right-hand side and what is read off the car, each with its tangents and its adjoint; made
-// when they are first asked for.
+// The programs of a rollout: the right-hand side and what is read off the car, each with its tangents and its adjoint; the
+// derivatives made when they are first asked for.
 #pragma once
 
 #include <memory>
@@ -23,19 +23,22 @@ public:
     struct Pair {
         std::unique_ptr<const program::Executable> rhs, sample;
     };
-    const Pair& plain();
+    const Pair& plain() const { return plain_; }
     const Pair& with_tangents();  // tangents lie behind the numbers of each array
     const Pair& adjoint();
 
-    int lanes() const { return engine_->lanes(Precision::double_precision); }
+    int lanes() const { return plain_.rhs->lanes(); }
     std::size_t state_size() const { return state_size_; }
     std::size_t report_size() const { return RhsReport::correction + rhs_.correction_indices.size(); }
     std::size_t channel_count() const { return channel_count_; }
     const std::vector<int>& parameters() const { return rhs_.parameters; }
+    std::vector<double> parameters_of(const Model<double>& car) const;
     const std::vector<int>& correction_indices() const { return rhs_.correction_indices; }
     ChassisChart chart() const { return chart_; }
 
 private:
+    std::unique_ptr<const program::Executable> made(const program::Graph& graph) const;
+
     const Engine* engine_;
     RhsTrace rhs_, sample_;
     std::size_t state_size_, channel_count_;

@@ -75,6 +75,18 @@ std::string vehicle_difference(const Vehicle<double>& a, const Vehicle<double>& 
     return {};
 }
 
+// Whether two cars differ in a number that is no parameter.
+bool differs_in_constant(const std::vector<int>& parameters, const Model<double>& a, const Model<double>& b) {
+    const ModelNumbers one = numbers_of(a), other = numbers_of(b);
+    if (one.shape != other.shape || one.numbers.size() != other.numbers.size()) return true;
+    std::vector<bool> may_differ(one.numbers.size());
+    for (const int parameter : parameters) may_differ[static_cast<std::size_t>(parameter)] = true;
+    for (std::size_t i = 0; i < one.numbers.size(); ++i) {
+        if (!may_differ[i] && one.numbers[i] != other.numbers[i]) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 std::vector<int> elimination_order(const Vehicle<double>& vehicle) {
@@ -87,17 +99,6 @@ std::vector<int> elimination_order(const Vehicle<double>& vehicle) {
     return out;
 }
 
-bool differs_in_constant(const std::vector<int>& parameters, const Model<double>& a, const Model<double>& b) {
-    const ModelNumbers one = numbers_of(a), other = numbers_of(b);
-    if (one.shape != other.shape || one.numbers.size() != other.numbers.size()) return true;
-    std::vector<bool> may_differ(one.numbers.size());
-    for (const int parameter : parameters) may_differ[static_cast<std::size_t>(parameter)] = true;
-    for (std::size_t i = 0; i < one.numbers.size(); ++i) {
-        if (!may_differ[i] && one.numbers[i] != other.numbers[i]) return true;
-    }
-    return false;
-}
-
 std::string topology_difference(const Simulation& a, const Simulation& b) {
     const SolverDescription &x = a.scenario().solver, &y = b.scenario().solver;
     if (x.integrator != y.integrator) return "integrator";
@@ -106,6 +107,19 @@ std::string topology_difference(const Simulation& a, const Simulation& b) {
     if (a.model().constraints != b.model().constraints) return "constraint mode";
     if (a.model().energy_balance != b.model().energy_balance) return "energy balance";
     return vehicle_difference(a.model().vehicle, b.model().vehicle);
+}
+
+std::string program_difference(const Simulation& a, const Simulation& b) {
+    const std::string difference = topology_difference(a, b);
+    if (!difference.empty()) return difference;
+    const bool same_order = elimination_order(a.model().vehicle) == elimination_order(b.model().vehicle);
+    return same_order ? "" : "the order in which a linkage's equations are solved";
+}
+
+std::string program_difference(const Simulation& a, const Simulation& b, const std::vector<int>& parameters) {
+    const std::string difference = program_difference(a, b);
+    if (!difference.empty() || !differs_in_constant(parameters, a.model(), b.model())) return difference;
+    return "a number that all cars share: the program was made without a variant for it";
 }
 
 }  // namespace hamilcar

@@ -14,7 +14,9 @@ std::string topology_difference(const Simulation& a, const Simulation& b);
 // In which order the equations of a vehicle's linkages are solved: cars of one program have one.
 std::vector<int> elimination_order(const Vehicle<double>& vehicle);
 
-// Whether two cars differ in a number that is none of the program's parameters (indices as in RhsTrace).
-bool differs_in_constant(const std::vector<int>& parameters, const Model<double>& a, const Model<double>& b);
+// What differs between two cars that cannot have one compiled program, or nothing.
+std::string program_difference(const Simulation& a, const Simulation& b);
+// The same of a program that exists, with these parameters (indices as in RhsTrace): they must differ in nothing else.
+std::string program_difference(const Simulation& a, const Simulation& b, const std::vector<int>& parameters);
 
 }  // namespace hamilcar

@@ -103,6 +103,11 @@ std::unique_ptr<const program::Executable> compiled(const program::Graph& graph,
     }
 }
 
+void expect_lanes(const program::Executable& executable, int lanes) {
+    if (executable.lanes() == lanes) return;
+    throw std::runtime_error("the system grants no more executable memory: expected some, or the engine portable");
+}
+
 RhsTrace rhs_trace_without_dead_code(const Model<double>& model) {
     RhsTrace trace = trace_rhs(model, {}, Precision::double_precision);
     trace.graph = program::without_dead_code(trace.graph);

@@ -36,6 +36,9 @@ std::shared_ptr<const RhsProgram> rhs_program(std::span<const Model<double>* con
 std::unique_ptr<const program::Executable> compiled(const program::Graph& graph, const Engine& engine,
                                                     bool car_in_each_lane);
 
+// Programs of the same cars run together. Throws std::runtime_error for one that, for want of executable memory, has other lanes.
+void expect_lanes(const program::Executable& executable, int lanes);
+
 // The functions that programs of this precision call; in double precision also those of derivatives, by their offset.
 struct RhsCall {
     enum : int { tangents = 1, adjoints = 2 };

@@ -36,8 +36,8 @@ class Batch:
     >>> batch.step(20, steering_wheel=np.linspace(-1, 1, 1024))
     >>> batch["chassis.yaw_rate"]
 
-    ``vary`` names numbers of the vehicle, and ``"road.friction"``. ``threads``: 0 for all of the machine. ``precision``: "double", or "single" for twice as many cars a second with seven digits
-    in the place of sixteen. ``tilt_limit``: a car ends when it leans further [rad]; 0 for never. The rest is as in Simulation.
+    ``vary`` names numbers of the vehicle, and ``"road.friction"``. ``threads``: 0 for all of the machine.
+    ``precision``: "double", or "single" for twice as many cars a second with seven digits in the place of sixteen. ``tilt_limit``: a car ends when it leans further [rad]; 0 for never. The rest is as in Simulation.
     """
 
     def __init__(

@@ -13,11 +13,11 @@ _FIRST_ANGLE = 3  # of the state: position, then a quaternion
 
 @dataclass(frozen=True)
 class LinearSteps:
-    """``dz_k+1 = A[k] dz_k + B_before[k] du_k-1 + B[k] du_k`` for the rows of a run: ``du_k`` moves the targets of row k, ``du_k-1``
-    where the controls stand before it, so that what a row before did to the rack is not forgotten.
+    """``dz_k+1 = A[k] dz_k + B_before[k] du_k-1 + B[k] du_k`` for the rows of a run: ``du_k`` moves the targets of row k,
+    ``du_k-1`` where the controls stand before it, so that what a row before did to the rack is not forgotten.
 
-    ``A (t, nz, nz)``, ``B`` and ``B_before (t, nz, m)``; z is named by ``states`` with ``units``: position on the ground, a small rotation in
-    chassis axes [rad], momenta in ground axes, and all that is free in suspensions, wheels, tires, hitches and power units.
+    ``A (t, nz, nz)``, ``B`` and ``B_before (t, nz, m)``; z is named by ``states`` with ``units``: position on the ground, a small
+    rotation in chassis axes [rad], momenta in ground axes, and all that is free in suspensions, wheels, tires, hitches and power units.
     ``points (t + 1, s)`` are the states that the maps lie between, in all numbers of the simulation."""
 
     A: np.ndarray

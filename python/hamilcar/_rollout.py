@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -12,10 +11,10 @@ from . import _core
 from ._documents import Scenario, Source, Vehicle, as_scenario, as_vehicle
 from ._linear_steps import LinearSteps, linear_steps
 from ._simulation import Channels, ControlTargets
+from ._starts import Starts
 from ._variation import Variation
 
 Array = Any  # whatever NumPy makes an array of
-_MOST_KEPT = 1024  # prepared cars
 
 
 class Rollout:
@@ -60,13 +59,12 @@ class Rollout:
         self._variation = Variation(self.vehicle, self.scenario, parameters)
         self.parameter_names = list(self._variation.nominal)
         self.parameters = np.array(list(self._variation.nominal.values()))
-        self._made: OrderedDict[bytes, _core.Start] = OrderedDict()
-        self._known: dict[bytes, tuple[np.ndarray, np.ndarray]] = {}
-        start = self._start_of(self.parameters)
+        self._starts = Starts(self._variation)
+        start = self._starts.at(self.parameters)
         channels = Channels(start.channels)
         self.record = list(record)
         self.record_units = [channels.entries[name][0] for name in self.record if name in channels.entries]
-        variants = [self._make(changes) for changes in self._variation.variants()]
+        variants = [self._starts.made(changes) for changes in self._variation.variants()]
         self._core = _core.Runner(start, variants, channels.places(self.record), steps, threads)
         self._controls = ControlTargets(self._core.controls)
         self.steps = steps
@@ -77,26 +75,6 @@ class Rollout:
         self.state_names = [name for name, _, _ in self._numbers]
         self.start = self._core.state_of(start)
         self.held = np.array(self._core.held(start))
-
-    def _make(self, changes: dict[str, float]) -> _core.Start:
-        vehicle, scenario = self._variation.changed(changes)
-        return _core.Start(vehicle._core, scenario._core)
-
-    def _start_of(self, values: np.ndarray) -> _core.Start:
-        """A prepared car, of which the latest ones are kept."""
-        key = values.tobytes()
-        if key in self._made:
-            self._made.move_to_end(key)
-            return self._made[key]
-        changed = {
-            name: float(value)
-            for name, value in zip(self.parameter_names, values)
-            if value != self._variation.nominal[name]
-        }
-        made = self._made[key] = self._make(changed)
-        if len(self._made) > _MOST_KEPT:
-            self._made.popitem(last=False)
-        return made
 
     def _runs(
         self, controls: Array, parameters: Array | None, state: Array | None, held: Array | None
@@ -129,7 +107,7 @@ class Rollout:
             raise ValueError("expected at least one run, found none")
         many = rows.ndim == 3 or any(array.ndim == 2 for array in arrays.values())
         values = np.broadcast_to(arrays["parameters"], (n, p))
-        starts = [self._start_of(np.ascontiguousarray(one)) for one in values]
+        starts = [self._starts.at(one) for one in values]
         if "state" in arrays:
             states = np.ascontiguousarray(np.broadcast_to(arrays["state"], (n, s)))
         else:
@@ -160,8 +138,8 @@ class Rollout:
         *,
         wrt: str = "parameters",
     ) -> tuple[np.ndarray, np.ndarray]:
-        """How channels and end change with each of the parameters, numbers of the starting state, or controls (row by row) or held ones:
-        ``(t, c, k)`` and ``(s, k)``, forwards, one run for each column in the lanes of the processor."""
+        """How channels and end change with each of the parameters, numbers of the starting state, controls (row by row) or held
+        controls: ``(t, c, k)`` and ``(s, k)``, forwards, one run for each column in the lanes of the processor."""
         many, values, rows, starts, states = self._runs(controls, parameters, state, held)
         n, s, m = len(starts), states.shape[1], rows.shape[2]
         columns = {"parameters": values.shape[1], "state": s, "controls": (rows.shape[1] - 1) * m, "held": m}
@@ -177,7 +155,7 @@ class Rollout:
             along_states[:] = np.eye(s)
         elif wrt == "parameters":
             for i, one in enumerate(values):
-                of_numbers, of_start = self._sensitivity(one)
+                of_numbers, of_start = self._starts.sensitivity(self._core, one)
                 along_numbers[i] = of_numbers.T
                 along_rows[i] = self._targets_by_parameters(one, rows[i])
                 if state is None:
@@ -204,9 +182,9 @@ class Rollout:
         y_weights: Array | None = None,
         end_weights: Array | None = None,
     ) -> dict[str, np.ndarray]:
-        """The gradient of ``sum(y_weights * y) + sum(end_weights * end)``, backwards through all steps at once: "controls" ``(t, m)``,
-        "parameters" ``(p,)``, "state" ``(s,)``, "held" ``(m,)``; or each ``(n, ...)``. Without a ``state`` the one by parameters includes
-        where the car starts."""
+        """The gradient of ``sum(y_weights * y) + sum(end_weights * end)``, backwards through all steps at once: "controls"
+        ``(t, m)``, "parameters" ``(p,)``, "state" ``(s,)``, "held" ``(m,)``; or each ``(n, ...)``. Without a ``state``
+        the one by parameters includes where the car starts."""
         many, values, rows, starts, states = self._runs(controls, parameters, state, held)
         n, s = states.shape
 
@@ -225,7 +203,7 @@ class Rollout:
         by_parameters = np.zeros(values.shape)
         for i, one in enumerate(values):
             if values.shape[1]:
-                of_numbers, of_start = self._sensitivity(one)
+                of_numbers, of_start = self._starts.sensitivity(self._core, one)
                 by_parameters[i] = by_numbers[i] @ of_numbers + (by_state[i] @ of_start if state is None else 0.0)
                 by_parameters[i] += np.sum(by_controls[i] * self._targets_by_parameters(one, rows[i]), axis=(1, 2))
         out = {
@@ -233,7 +211,9 @@ class Rollout:
         }
         return out if many else {name: value[0] for name, value in out.items()}
 
-    def linearize(self, controls: Array, parameters: Array | None = None, state: Array | None = None, held: Array | None = None) -> LinearSteps:
+    def linearize(
+        self, controls: Array, parameters: Array | None = None, state: Array | None = None, held: Array | None = None
+    ) -> LinearSteps:
         """The run of ``controls`` ``(t, m)`` row by row as ``dz_k+1 = A_k dz_k + B_before_k du_k-1 + B_k du_k``, exact, in free
         coordinates z: without what the linkages imply, with the attitude as a rotation vector in chassis axes."""
         many, _, rows, starts, states = self._runs(controls, parameters, state, held)
@@ -243,57 +223,11 @@ class Rollout:
             raise ValueError("the posts move the ground over time: expected a road that is the same in each row")
         return linear_steps(self._core, self._numbers, starts[0], rows[0], states[0], self.control_names)
 
-    def _stencils(self, values: np.ndarray) -> Iterator[tuple[int, list[_core.Start], list[float]]]:
-        """For each parameter the cars beside the one with these values, and their weights in the derivative: differences of fourth
-        order, since a file's numbers pass its reader, linkages are assembled and the car settles, which is no list of operations."""
-        for j, name in enumerate(self.parameter_names):
-            low, high = self._variation.limits(name)
-            spacing = 1e-3 * max(abs(values[j]), 1e-3 * abs(self.parameters[j]), 1e-3)
-            places, weights = _stencil(values[j], 10.0 ** np.floor(np.log10(spacing)), low, high)
-            cars = []
-            for place in places:
-                other = np.array(values)
-                other[j] += place
-                cars.append(self._start_of(other))
-            yield j, cars, weights
-
-    def _sensitivity(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """How the numbers of the model and the start change with the parameters: a column for each."""
-        key = values.tobytes()
-        if key not in self._known:
-            of_numbers, of_start = [], []
-            for _, cars, weights in self._stencils(values):
-                of_numbers.append(sum(w * self._core.parameters_of(car) for w, car in zip(weights, cars)))
-                of_start.append(sum(w * self._core.state_of(car) for w, car in zip(weights, cars)))
-            if len(self._known) >= _MOST_KEPT:
-                self._known.clear()
-            self._known[key] = np.array(of_numbers).T, np.array(of_start).T
-        return self._known[key]
-
     def _targets_by_parameters(self, values: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """Changes of the targets ``(p, t + 1, m)`` that act as the parameters do: the steering's ratio is between wheel and rack, and no
-        number of the model."""
-        out = np.zeros((len(values), *rows.shape))
-        if "steering_wheel" not in self.control_names or not any(n.startswith("steering") for n in self.parameter_names):
-            return out
-        _, slopes = self._core.scheduled(self._start_of(np.ascontiguousarray(values)), rows)
-        for j, cars, weights in self._stencils(values):
-            if self.parameter_names[j].startswith("steering"):
-                out[j] = sum(w * self._core.scheduled(car, rows)[0] for w, car in zip(weights, cars)) / slopes
-        return out
+        if "steering_wheel" in self.control_names:
+            return self._starts.targets_by_parameters(self._core, values, rows)
+        return np.zeros((len(values), *rows.shape))
 
     def __repr__(self) -> str:
         return f"<hamilcar.Rollout of {self.vehicle.name!r}, {self.steps} steps a row>"
 
-
-def _stencil(value: float, spacing: float, low: float, high: float) -> tuple[list[float], list[float]]:
-    """Offsets and weights of a first derivative of fourth order, to one side where a limit is near."""
-    for sign, offsets, weights in (
-        (1, (-2, -1, 1, 2), (1 / 12, -8 / 12, 8 / 12, -1 / 12)),
-        (1, (0, 1, 2, 3, 4), (-25 / 12, 4, -3, 4 / 3, -1 / 4)),
-        (-1, (0, 1, 2, 3, 4), (-25 / 12, 4, -3, 4 / 3, -1 / 4)),
-    ):
-        places = [sign * offset * spacing for offset in offsets]
-        if all(low <= value + place <= high for place in places):
-            return places, [sign * weight / spacing for weight in weights]
-    raise ValueError(f"{value}: expected a parameter with room of {4 * spacing} between {low} and {high}")

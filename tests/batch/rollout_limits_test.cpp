@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstdlib>
 
 #include "batch/rollout_car.hpp"
 #include "support/driven.hpp"
 #include "support/fleet.hpp"
+#include "support/refuse_executable_memory.hpp"
 
 namespace hamilcar {
 namespace {
@@ -63,6 +65,30 @@ TEST(Rollout, StopsWhenAsked) {
     rollout.gradient(std::vector<RolloutCar>(20, car.car()), runs,
                      {std::vector<double>(), std::vector<double>(20 * rollout.state_size())}, 3);
     EXPECT_GT(asked, 50);
+}
+
+// In a child process, for each engine: a rollout whose programs fall back to the portable engine, which may have other lanes.
+TEST(RolloutDeathTest, RunsWhereTheSystemRefusesExecutableMemory) {
+    GTEST_FLAG_SET(death_test_style, "fast");
+    const Car car(shipped("bmw_323i"));
+    constexpr std::size_t runs_at_once = 5, rows = 2;
+    const std::vector<RolloutCar> cars(runs_at_once, car.car());
+    Rollout plain(car.car(), {}, {.steps = 5, .threads = 1});
+    const RolloutNumbers runs = runs_of(plain, car, runs_at_once, rows);
+    const RolloutResults weights{{}, std::vector<double>(runs.states.size(), 1.0)};
+    const std::vector<double> expected = plain.gradient(cars, runs, weights, rows).states;
+    for (const Engine* engine : engines()) {
+        const auto try_it = [&] {
+            if (!refuse_executable_memory(false)) std::exit(100);
+            Rollout refused(car.car(), {}, {.steps = 5, .threads = 1, .engine = std::string(engine->name)});
+            std::exit(refused.gradient(cars, runs, weights, rows).states == expected ? 0 : 1);
+        };
+        EXPECT_EXIT(
+            try_it(),
+            [](int status) { return WIFEXITED(status) && (WEXITSTATUS(status) == 0 || WEXITSTATUS(status) == 100); },
+            "")
+            << engine->name;
+    }
 }
 
 TEST(Rollout, OnAnUnevenRoadHasTheTangentsOfDifferences) {
