@@ -201,7 +201,8 @@ io::ExitCode run_maneuver(const RunOptions& options) {
 }
 
 io::ExitCode run_maneuver(const ScenarioDescription& scenario, const RunOptions& options) {
-    ManeuverOptions asked{.solver = scenario.solver, .road = scenario.road};
+    ManeuverOptions asked{
+        .solver = scenario.solver, .road = scenario.road, .controllers_off = scenario.controllers_off};
     if (options.step) asked.solver.step = *options.step;
     const std::string& vehicle = options.vehicle.file.empty() ? scenario.vehicle : options.vehicle.file;
     return at_place(scenario, [&] {

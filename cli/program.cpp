@@ -127,7 +127,8 @@ io::ExitCode program(const ProgramOptions& options) {
     for (const std::string& file : {options.c_file, options.casadi_file}) {
         if (!file.empty()) check_output(file);
     }
-    const VehicleDescription vehicle = read_vehicle(options.vehicle);
+    VehicleDescription vehicle = read_vehicle(options.vehicle);
+    vehicle.controllers.clear();  // without decisions all actuators are at rest
     const Model<double> model{
         .vehicle = Vehicle<double>(vehicle), .road = PlaneRoad<double>(0, 0, 1), .energy_balance = false};
     const auto start = std::chrono::steady_clock::now();

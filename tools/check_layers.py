@@ -18,7 +18,7 @@ LAYERS = [
     ["tire", "force", "driveline", "suspension", "steering"],
     ["vehicle"],
     ["block"],
-    ["driver", "analysis"],
+    ["driver", "analysis", "control"],
     ["engine"],
     ["io"],
     ["run", "template"],

@@ -37,7 +37,7 @@ double full_brake_force(const VehicleDescription& vehicle) {
     for_each_wheel(vehicle, [&](const auto& wheel, std::size_t) {
         force += wheel.brake.max_torque / casing_of(wheel.tire).rolling_radius;
     });
-    return force;
+    return force * vehicle.brakes.gain_below_knee();
 }
 
 std::vector<std::string> wheel_names(const VehicleDescription& vehicle) {

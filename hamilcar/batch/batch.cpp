@@ -51,7 +51,7 @@ Batch::Batch(std::vector<const Simulation*> cars, const BatchOptions& options)
 
 // As at its start.
 Batch::CarDriver Batch::driver_of(const Simulation& car) {
-    return {car.schedule(), car.driver(), car.steps_per_decision(), std::nullopt};
+    return {car.schedule(), car.driver(), car.steps_per_decision(), car.control_memory(), std::nullopt};
 }
 
 // Cars whose hardpoints differ so much that their linkages need another elimination order get a separate program.
@@ -99,12 +99,20 @@ void Batch::advance_chunk(std::size_t chunk, long steps) {
         long next = left;
         for (const std::size_t car : cars_of_[chunk]) {
             const CarDriver& one = drivers_[car];
-            if (!one.driver || one.stop) continue;
             const long now = cars.steps(lane_of(car));
-            if (now > 0 && now % one.steps_per_decision == 0) decide(car);
-            next = std::min(next, one.steps_per_decision - now % one.steps_per_decision);
+            if (one.driver && !one.stop) {
+                if (now > 0 && now % one.steps_per_decision == 0) decide(car);
+                next = std::min(next, one.steps_per_decision - now % one.steps_per_decision);
+            }
+            const ControlSystem* control = cars_[car]->control();
+            if (!control || one.stop) continue;
+            if (control->is_due(now)) let_controllers_decide(car, now);
+            next = std::min(next, control->steps_to_next(now));
         }
         cars.advance(next);
+        for (const std::size_t car : cars_of_[chunk]) {
+            if (cars_[car]->control()) cars.measurement(lane_of(car), drivers_[car].control_memory.data());
+        }
         left -= next;
     }
 }
@@ -118,6 +126,16 @@ void Batch::decide(std::size_t car) {
     one.driver->act(observe(cars_[car]->model(), state, one.schedule(time)), one.schedule);
     if (one.driver->end_reason()) one.stop = Stop{time, state};
     chunk_of(car).set_schedule(lane_of(car), one.schedule);
+}
+
+void Batch::let_controllers_decide(std::size_t car, long step) {
+    Chunk& chunk = chunk_of(car);
+    const int lane = lane_of(car);
+    if (chunk.end(lane).reason != EndReason::none) return;
+    CarDriver& one = drivers_[car];
+    let_decide(*cars_[car]->control(), cars_[car]->column(), {step, chunk.time(lane)}, one.control_memory,
+               one.schedule);
+    chunk.set_schedule(lane, one.schedule);
 }
 
 Batch::Sampler Batch::sampler(const TracedReaders& readers) const {
@@ -172,6 +190,7 @@ void Batch::save(std::size_t car, Snapshot& to) const {
     to.memory = past.rates;
     drivers_[car].schedule.save(to.inputs);
     if (drivers_[car].driver) to.driver = drivers_[car].driver->memory();
+    std::ranges::copy(drivers_[car].control_memory, to.control.begin());
 }
 
 void Batch::restore(std::size_t car, const Snapshot& from) {
@@ -181,6 +200,7 @@ void Batch::restore(std::size_t car, const Snapshot& from) {
     CarDriver& own = drivers_[car];
     own.schedule.restore(from.inputs);
     if (own.driver) own.driver->restore(from.driver);
+    std::copy_n(from.control.begin(), own.control_memory.size(), own.control_memory.begin());
     LanePast past;
     past.steps = from.step_count, past.rates = from.memory;
     chunk_of(car).set_car(lane_of(car), {&cars_[car]->model(), &from.state, &own.schedule}, &past);

@@ -14,6 +14,7 @@
 #include "hamilcar/batch/worker_pool.hpp"
 #include "hamilcar/engine/chunk.hpp"
 #include "hamilcar/engine/traced_sample.hpp"
+#include "hamilcar/run/controlled_car.hpp"
 #include "hamilcar/run/simulation.hpp"
 
 namespace hamilcar {
@@ -109,10 +110,12 @@ private:
         Schedule schedule;
         std::optional<Driver> driver;
         long steps_per_decision = 1;
+        std::vector<double> control_memory = {};  // of the simulation's control system
         std::optional<Stop> stop;
     };
     void advance_chunk(std::size_t chunk, long steps);
     void decide(std::size_t car);
+    void let_controllers_decide(std::size_t car, long step);
     static CarDriver driver_of(const Simulation& car);
 
     // A car's chunk and its lane there.

@@ -6,7 +6,7 @@ LaneControls::LaneControls(const std::vector<RolloutCar>& lanes, long steps, dou
     : cars_(lanes),
       interval_{0, steps, step},
       step_(step),
-      driver_(static_cast<int>(lanes.size())),
+      driver_(static_cast<int>(lanes.size()), 0),
       times_{std::vector<double>(lanes.size())} {
     for (const RolloutCar& car : lanes) schedules_.push_back(car.simulation->schedule());
     for (std::size_t i = 0; i < lanes.size(); ++i) driver_.set_schedule(static_cast<int>(i), schedules_[i]);

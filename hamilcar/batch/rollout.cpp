@@ -45,6 +45,7 @@ std::string Rollout::obstacle(const RolloutCar& of) const {
         return fmt::format("{} remembers or chooses: expected rk4, whose step is a map of the state", integrator);
     }
     if (car.driver()) return "a driver's decisions have no derivatives: expected a scenario without one";
+    if (car.control()) return "controllers' decisions have no derivatives: expected controllers_off = [\"all\"]";
     if (&car == &first) return "";
     if (!of.controls->has_same_list(*first_.controls)) return "they differ in their controls";
     const std::string difference = program_difference(first, car, programs_.parameters());

@@ -38,8 +38,8 @@ std::vector<int> shape(const Powertrain<double>& powertrain) {
     std::vector<int> out{static_cast<int>(powertrain.units.size())};
     for (const auto& unit : powertrain.units) {
         out.insert(out.end(),
-                   {unit.output, static_cast<int>(unit.source.index()), static_cast<int>(unit.gears.ratio.size()),
-                    static_cast<int>(unit.converter.capacity.slope.size())});
+                   {unit.output, unit.command, static_cast<int>(unit.source.index()),
+                    static_cast<int>(unit.gears.ratio.size()), static_cast<int>(unit.converter.capacity.slope.size())});
         if (const auto* engine = std::get_if<CombustionEngine<double>>(&unit.source)) {
             for (const auto& curve : engine->torque) out.push_back(static_cast<int>(curve.slope.size()));
         }
@@ -51,8 +51,18 @@ std::vector<int> shape(const Powertrain<double>& powertrain) {
     return out;
 }
 
+std::vector<int> shape(const BrakeSystem<double>& brakes) {
+    std::vector<int> out{brakes.is_air, static_cast<int>(brakes.pedal_pressure.slope.size())};
+    for (const auto& line : brakes.lines) {
+        out.insert(out.end(), {line.wheel, line.unit, line.command, static_cast<int>(line.friction.slope.size())});
+    }
+    return out;
+}
+
 std::string vehicle_difference(const Vehicle<double>& a, const Vehicle<double>& b) {
     if (shape(a.powertrain) != shape(b.powertrain)) return "power units or differentials";
+    if (shape(a.brakes) != shape(b.brakes)) return "the brake system";
+    if (a.commands != b.commands || a.is_measured != b.is_measured) return "controllers";
     if (a.hull.points.size() != b.hull.points.size()) return "number of hull points";
     if (a.suspensions.size() != b.suspensions.size()) return "number of suspensions";
     for (std::size_t i = 0; i < a.suspensions.size(); ++i) {

@@ -13,10 +13,10 @@ namespace {
 
 // Tire deflections and brake wind-up that balance the component of the weight along the road. Laterally every wheel takes a
 // share in proportion to its load; longitudinally the braked wheels do, if their brakes can hold.
-void hold_on_slope(const Model<double>& model, const Input<double>& input, const Velocity<double>& velocity,
-                   const Momenta<double>& momenta, State<double>& state) {
+void hold_on_slope(const Model<double>& model, const Velocity<double>& velocity, const Momenta<double>& momenta,
+                   State<double>& state) {
     const std::vector<RoadWheel> wheels = road_wheels(model, momenta, state);
-    const auto braking_torque = [&](const RoadWheel& wheel) { return wheel.brake->limit(input.brake); };
+    const auto braking_torque = [&](const RoadWheel& wheel) { return momenta.brakes.limit[wheel.number]; };
     double total_load = 0, braked_load = 0;
     for (const RoadWheel& wheel : wheels) {
         for (const RoadTire& tire : wheel.tires) {
@@ -97,7 +97,7 @@ public:
         }
         close_loops(model_, input_.rack, state, 10);
         const auto velocity = velocity_block(model_, state, input_);
-        hold_on_slope(model_, input_, velocity, momenta_block(model_, state, input_, velocity), state);
+        hold_on_slope(model_, velocity, momenta_block(model_, state, input_, velocity), state);
         return state;
     }
 
@@ -163,6 +163,7 @@ EquilibriumResult settle(const Model<double>& model, Input<double> input, State<
                          const std::vector<bool>& held) {
     constexpr int max_iterations = 60;
     input.drive_torque = 0;
+    set_brakes(model, input, state);
     close_loops(model, input.rack, state, 10);
     const Vec3<double> normal = ground_normal(model, input, state);
     touch_road(model, input, normal, state);

@@ -60,9 +60,21 @@ void place_chassis(const Model<double>& model, const Vec3<double>& position, con
     }
 }
 
+void set_brakes(const Model<double>& model, const Input<double>& input, State<double>& state) {
+    const BrakeSystem<double>& brakes = model.vehicle.brakes;
+    double* values = state.values.data();
+    const double pressure = brakes.pedal_pressure.at(input.brake);
+    for (std::size_t unit = 0; unit < brakes.source.size(); ++unit) brakes.control(unit, values) = pressure;
+    for (std::size_t i = 0; i < brakes.lines.size(); ++i) {
+        brakes.pressure(i, values) = brakes.lines[i].supply(pressure);
+        brakes.temperature(i, values) = ambient_temperature;
+    }
+}
+
 State<double> design_state(const Model<double>& model, const Vec3<double>& position, const Mat3<double>& R_GC) {
     State<double> state;
     place_chassis(model, position, R_GC, state);
+    set_brakes(model, Input<double>{}, state);
     return state;
 }
 

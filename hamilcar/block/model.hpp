@@ -32,6 +32,8 @@ struct Input {
     T clutch{0};             // pedal, 0 released to 1 pressed
     T gear{0};               // -1 reverse, 0 neutral, 1 first, ...; in between during a shift
     T wind_x{0}, wind_y{0};  // velocity of the air, ground axes [m/s]
+    // What controllers tell actuators (vehicle/command_layout.hpp), kept by who makes the input; null: all at rest.
+    const T* commands = nullptr;
 };
 
 // Calls f with the model's chart object.

@@ -21,6 +21,13 @@ void chassis_momenta(const Vehicle<T>& vehicle, const Surroundings<T>& world, co
     work_rate = air.power + hull.lost_power;
 }
 
+// Of the brake on a wheel [N m].
+template <class T>
+T brake_torque(const Vehicle<T>& vehicle, const Momenta<T>& momenta, int number) {
+    const auto [s, w] = locate_wheel(vehicle, number);
+    return momenta.suspensions[s].wheels[w].brake_torque;
+}
+
 template <class S, class T>
 Momenta<T> momenta_block_of(const Model<T>& model, const State<T>& state, const Input<T>& input,
                             const Velocity<T, S>& velocity) {
@@ -35,7 +42,10 @@ Momenta<T> momenta_block_of(const Model<T>& model, const State<T>& state, const 
     chassis_momenta(vehicle, world, wind, below_chassis, out.external, out.work_rate);
     std::array<T, max_vehicle_wheels> shafts;  // torques on the wheels [N m]
     powertrain_momenta(vehicle, state, input, velocity, out.powertrain, shafts, out.work_rate);
+    brake_limits(vehicle, state, input, velocity, out.brakes);
     suspension_momenta(model, state, input, velocity, world, shafts, out);
+    brake_rates(
+        vehicle.brakes, state, input, [&](int wheel) { return brake_torque(vehicle, out, wheel); }, out.brakes);
     return out;
 }
 

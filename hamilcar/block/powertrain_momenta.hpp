@@ -37,8 +37,8 @@ void powertrain_momenta(const Vehicle<T>& vehicle, const State<T>& state, const 
     }
     if (!powertrain.exists()) return;
     const auto speeds = shaft_speeds(vehicle, state, velocity);
-    powertrain.evaluate(input.throttle, input.clutch, input.gear, Vec3<T>(angular(velocity.chassis)), speeds,
-                        state.values.data(), out);
+    const PowertrainInput<T> told{input.throttle, input.clutch, input.gear, input.commands};
+    powertrain.evaluate(told, Vec3<T>(angular(velocity.chassis)), speeds, state.values.data(), out);
     for (std::size_t i = 0; i < powertrain.wheels.size(); ++i) {
         shafts[static_cast<std::size_t>(powertrain.wheels[i])] = out.wheels[i];
     }

@@ -1,7 +1,7 @@
 // The right-hand side, by the blocks of the paper's Fig. 10: State -> Velocity -> Momenta -> rate of State.
 #pragma once
 
-#include "hamilcar/block/momenta.hpp"
+#include "hamilcar/block/measurement.hpp"
 
 namespace hamilcar {
 
@@ -60,6 +60,7 @@ void rate_of_state(const Model<T>& model, const State<T>& state, const Velocity<
     if (model.vehicle.powertrain.exists()) {
         write_powertrain_rates(model.vehicle.powertrain, momenta.powertrain, rate);
     }
+    write_brake_rates(model.vehicle.brakes, momenta.brakes, rate);
 }
 
 // What an evaluation gives besides the rates.
@@ -67,7 +68,8 @@ template <class T>
 struct Evaluation {
     Health<T> health;
     std::array<std::array<T, max_equations>, max_suspensions>
-        correction;  // Newton corrections of W by suspension: -Phi_w^-1 Phi
+        correction;                            // Newton corrections of W by suspension: -Phi_w^-1 Phi
+    std::array<T, max_measurements> measured;  // of a car with controllers (measurement.hpp)
     Evaluation() {}
 };
 
@@ -88,6 +90,7 @@ void evaluate_rhs_by(const Model<T>& model, const Input<T>& input, const State<T
     rate_of_state(model, state, velocity, momenta, rate);
     if (!model.energy_balance) rate.work() = T(0);
     report_evaluation(model, velocity, out);
+    if (model.vehicle.is_measured) measure(model.vehicle, state, velocity, momenta, out.measured.data());
 }
 
 template <class T>

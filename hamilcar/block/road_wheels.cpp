@@ -10,7 +10,8 @@ std::vector<RoadWheel> road_wheels(const Model<double>& model, const Momenta<dou
         for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
             const SuspensionWheel<double>& wheel = suspension.wheels[i];
             const auto at = suspension.wheel_state(static_cast<int>(i), state.values.data());
-            RoadWheel& one = out.emplace_back(RoadWheel{suspension.unit, &wheel.brake, &at.brake_windup, {}});
+            RoadWheel& one =
+                out.emplace_back(RoadWheel{suspension.unit, out.size(), &wheel.brake, &at.brake_windup, {}});
             for (std::ptrdiff_t k = 0; k < wheel.tires; ++k) {
                 one.tires.push_back({&wheel.tire, &momenta.suspensions[s].wheels[i].tires[static_cast<std::size_t>(k)],
                                      &at.deflection[2 * k], &at.deflection[2 * k + 1]});

@@ -16,6 +16,7 @@ struct RoadTire {
 
 struct RoadWheel {
     int unit;
+    std::size_t number;  // in the vehicle's order
     const Brake<double>* brake;
     double* windup;  // in the state
     std::vector<RoadTire> tires;

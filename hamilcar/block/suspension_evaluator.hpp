@@ -27,6 +27,14 @@ struct SuspensionMomenta {
     SuspensionMomenta() {}
 };
 
+// What other parts of the car do to a wheel.
+template <class T>
+struct WheelLoads {
+    T bar;          // of anti-roll bars along its travel [N], or their moment on its arm [N m]
+    T shaft;        // torque of a driveline [N m]
+    T brake_limit;  // torque that its brake can hold [N m]
+};
+
 // Evaluates the forces and rates of one suspension, and what they add to its unit.
 template <class T>
 class SuspensionEvaluator {
@@ -62,22 +70,20 @@ public:
         }
     }
 
-    // `first`: number of its first wheel in the vehicle, or of the first of both; `bars`: forces of anti-roll bars along the
-    // wheels' travels [N] or moments on their arms [N m]; `shafts`: torques of a driveline [N m].
-    void add_wheels(const std::array<int, 2>& first, const std::array<T, max_wheels>& bars,
-                    const std::array<T, max_wheels>& shafts) {
+    // `first`: number of its first wheel in the vehicle, or of the first of both.
+    void add_wheels(const std::array<int, 2>& first, const std::array<WheelLoads<T>, max_wheels>& loads) {
         std::array<MovingWheel<T>, max_wheels> moving;
         for (std::size_t i = 0; i < suspension_.wheels.size(); ++i) {
-            moving[i] = moving_wheel(static_cast<int>(i), shafts[i]);
+            moving[i] = moving_wheel(static_cast<int>(i), loads[i]);
         }
         if constexpr (has_pairs<T>) {
-            if (!suspension_.both_wheels.empty()) return add_both_wheels(first[0], moving, bars);
+            if (!suspension_.both_wheels.empty()) return add_both_wheels(first[0], moving, loads);
         }
         for (std::size_t i = 0; i < suspension_.wheels.size(); ++i) {
             const int number = static_cast<int>(i);
             const GroundOfWheel<T> below{ground_, {first[0] + number, first[1] + number}};
-            const auto momenta = wheel_momenta(suspension_.wheels[i], moving[i], input_.brake, below, out_.wheels[i]);
-            add_wheel(number, moving[i], momenta, bars[i]);
+            const auto momenta = wheel_momenta(suspension_.wheels[i], moving[i], below, out_.wheels[i]);
+            add_wheel(number, moving[i], momenta, loads[i].bar);
         }
     }
 
@@ -122,7 +128,7 @@ public:
     const T& work() const { return work_; }
 
 private:
-    MovingWheel<T> moving_wheel(int i, const T& shaft_torque) const {
+    MovingWheel<T> moving_wheel(int i, const WheelLoads<T>& loads) const {
         const SuspensionWheel<T>& wheel = suspension_.wheels[i];
         const auto state = suspension_.wheel_state(i, values_);
         MovingWheel<T> out{.spin_momentum = state.spin_momentum,
@@ -131,22 +137,23 @@ private:
                            .center = velocity_.center[i],
                            .axis = velocity_.axis[i],
                            .carrier = velocity_.motion[wheel.frame],
-                           .drive_torque = wheel.drive_share * input_.drive_torque + shaft_torque};
+                           .drive_torque = wheel.drive_share * input_.drive_torque + loads.shaft,
+                           .brake_limit = loads.brake_limit};
         std::copy_n(state.deflection, 2 * wheel.tires, out.deflection.begin());
         return out;
     }
 
     // Both wheels of an axle side by side.
     void add_both_wheels(int first, const std::array<MovingWheel<T>, max_wheels>& moving,
-                         const std::array<T, max_wheels>& bars) {
+                         const std::array<WheelLoads<T>, max_wheels>& loads) {
         using S = Paired<T>;
         const SuspensionWheel<S>& wheels = suspension_.both_wheels[0];
         const UnitGround<S> ground{in_both<S>(ground_.plane), ground_.uneven};
         WheelForces<S> forces;
         const WheelMomenta<S> both = wheel_momenta(wheels, side_by_side<S>(moving[0], moving[1], wheels.tires),
-                                                   S(input_.brake), {ground, {first, first + 1}}, forces);
+                                                   {ground, {first, first + 1}}, forces);
         for (int i = 0; i < 2; ++i) {
-            add_wheel(i, moving[i], unpack_wheel(both, forces, wheels.tires, i, out_.wheels[i]), bars[i]);
+            add_wheel(i, moving[i], unpack_wheel(both, forces, wheels.tires, i, out_.wheels[i]), loads[i].bar);
         }
     }
 

@@ -2,6 +2,7 @@
 // everything behind it, so that a trailer is a body like any other.
 #pragma once
 
+#include "hamilcar/block/brake_momenta.hpp"
 #include "hamilcar/block/suspension_evaluator.hpp"
 #include "hamilcar/block/unit_pose.hpp"
 
@@ -22,6 +23,7 @@ struct Momenta {
     StaticVector<SuspensionMomenta<T>, max_suspensions> suspensions;
     StaticVector<TrailerMomenta<T>, max_trailers> trailers;
     PowertrainMomenta<T> powertrain;  // where there is one
+    BrakeMomenta<T> brakes;
     Momenta() {}
 };
 
@@ -97,6 +99,8 @@ void unpack_rates(const SuspensionMomenta<S>& from, int l, SuspensionMomenta<T>&
     unpack(from.spin_momentum_rate, l, to.spin_momentum_rate);
     unpack(from.windup_rate, l, to.windup_rate);
     for (std::size_t i = 0; i < to.wheels.size(); ++i) {
+        to.wheels[i].spin = lane(from.wheels[i].spin, l);
+        to.wheels[i].brake_torque = lane(from.wheels[i].brake_torque, l);
         for (std::size_t k = 0; k < to.wheels[i].tires.size(); ++k) {
             const TireForce<S>& tire = from.wheels[i].tires[k].tire;
             to.wheels[i].tires[k].tire.u_rate = lane(tire.u_rate, l);
@@ -105,8 +109,8 @@ void unpack_rates(const SuspensionMomenta<S>& from, int l, SuspensionMomenta<T>&
     }
 }
 
-// All suspensions and trailers, with the torques of `shafts` on the wheels; adds to the motor vehicle's external wrench and
-// to the work rate.
+// All suspensions and trailers, with the torques of `shafts` on the wheels and the limits of the brakes in `out`; adds to the motor
+// vehicle's external wrench and to the work rate.
 template <class T, class S>
 void suspension_momenta(const Model<T>& model, const State<T>& state, const Input<T>& input,
                         const Velocity<T, S>& velocity, const Surroundings<T>& motor_vehicle,
@@ -141,12 +145,12 @@ void suspension_momenta(const Model<T>& model, const State<T>& state, const Inpu
                                            world_of(suspension.unit), ground, model.energy_balance,
                                            out.suspensions.emplace_back());
             momenta.add_bodies();
-            std::array<T, max_wheels> bar, shaft;
+            std::array<WheelLoads<T>, max_wheels> loads;
             for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
                 const auto wheel = static_cast<std::size_t>(suspension.first_wheel) + i;
-                bar[i] = bars[wheel], shaft[i] = shafts[wheel];
+                loads[i] = {bars[wheel], shafts[wheel], out.brakes.limit[wheel]};
             }
-            momenta.add_wheels({suspension.first_wheel, suspension.first_wheel}, bar, shaft);
+            momenta.add_wheels({suspension.first_wheel, suspension.first_wheel}, loads);
             momenta.add_springs();
             momenta.finish();
             external_of(suspension.unit) += momenta.external();
@@ -166,14 +170,15 @@ void suspension_momenta(const Model<T>& model, const State<T>& state, const Inpu
             const auto first = static_cast<std::size_t>(pair.first);
             const std::array<int, 2> wheels{vehicle.suspensions[first].first_wheel,
                                             vehicle.suspensions[first + 1].first_wheel};
-            std::array<S, max_wheels> bar, shaft;
+            const std::array<T, max_vehicle_wheels>& limits = out.brakes.limit;
+            std::array<WheelLoads<S>, max_wheels> loads;
             for (std::size_t i = 0; i < pair.both.wheels.size(); ++i) {
                 const auto left = static_cast<std::size_t>(wheels[0]) + i;
                 const auto right = static_cast<std::size_t>(wheels[1]) + i;
-                bar[i] = side_by_side<S>(bars[left], bars[right]);
-                shaft[i] = side_by_side<S>(shafts[left], shafts[right]);
+                loads[i] = {side_by_side<S>(bars[left], bars[right]), side_by_side<S>(shafts[left], shafts[right]),
+                            side_by_side<S>(limits[left], limits[right])};
             }
-            momenta.add_wheels(wheels, bar, shaft);
+            momenta.add_wheels(wheels, loads);
             momenta.add_springs();
             momenta.finish();
             for (int l = 0; l < 2; ++l) {

@@ -118,7 +118,7 @@ T lost_in_tire(const TireForces<T>& f) {
            f.tire.rolling_moment * f.contact.omega + f.moment_power;
 }
 
-// Pose and motion of a wheel with its carrier, and its drive torque.
+// Pose and motion of a wheel with its carrier, its drive torque and what its brake can hold.
 template <class T>
 struct MovingWheel {
     T spin_momentum, brake_windup;
@@ -126,6 +126,7 @@ struct MovingWheel {
     Vec3<T> center, axis;
     Spatial<T> carrier;  // motion of its frame
     T drive_torque;      // on the wheel [N m]
+    T brake_limit;       // that its brake can hold [N m]
 };
 
 template <class S, class T>
@@ -136,7 +137,8 @@ MovingWheel<S> side_by_side(const MovingWheel<T>& left, const MovingWheel<T>& ri
                        .center = side_by_side<S>(left.center, right.center),
                        .axis = side_by_side<S>(left.axis, right.axis),
                        .carrier = side_by_side<S>(left.carrier, right.carrier),
-                       .drive_torque = side_by_side<S>(left.drive_torque, right.drive_torque)};
+                       .drive_torque = side_by_side<S>(left.drive_torque, right.drive_torque),
+                       .brake_limit = side_by_side<S>(left.brake_limit, right.brake_limit)};
     for (std::size_t k = 0; k < 2 * static_cast<std::size_t>(tires); ++k) {
         out.deflection[k] = side_by_side<S>(left.deflection[k], right.deflection[k]);
     }
@@ -154,8 +156,8 @@ struct WheelMomenta {
 // Everything about a wheel, or two side by side, except its suspension: tires, drive and brake, and the spin equation
 // p_s' = torque of the tires about the axis + drive + brake.
 template <class T>
-WheelMomenta<T> wheel_momenta(const SuspensionWheel<T>& wheel, const MovingWheel<T>& at, const T& brake_command,
-                              const GroundOfWheel<T>& ground, WheelForces<T>& f) {
+WheelMomenta<T> wheel_momenta(const SuspensionWheel<T>& wheel, const MovingWheel<T>& at, const GroundOfWheel<T>& ground,
+                              WheelForces<T>& f) {
     WheelMomenta<T> out;
     const T omega = at.spin_momentum * wheel.wheel.inverse_spin_inertia;
     const T turning = at.axis.dot(angular(at.carrier));
@@ -172,7 +174,7 @@ WheelMomenta<T> wheel_momenta(const SuspensionWheel<T>& wheel, const MovingWheel
         out.lost_in_tires += lost_in_tire(f.tires[k]);
     }
     static_cast<TireForces<T>&>(f) = f.tires[0];
-    const auto brake = wheel.brake.evaluate(brake_command, f.spin, at.brake_windup);
+    const auto brake = wheel.brake.evaluate(at.brake_limit, f.spin, at.brake_windup);
     f.drive_torque = at.drive_torque;
     f.brake_torque = brake.torque;
     out.windup_rate = brake.windup_rate;

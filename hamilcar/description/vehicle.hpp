@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "hamilcar/description/brakes.hpp"
+#include "hamilcar/description/control.hpp"
 #include "hamilcar/description/linkage.hpp"
 #include "hamilcar/description/places.hpp"
 #include "hamilcar/description/powertrain.hpp"
@@ -66,6 +68,14 @@ struct BrakeDescription {
     double windup_damping = 0;    // [N m s/rad]
     double valve_command = 1;     // from which on the valve acts; 1: no valve [1]
     double valve_slope = 1;       // share of the growth that it lets through [1]
+    // The rest is for a vehicle with a brake system (BrakeSystemDescription).
+    double volume = 0, line_flow = 0;  // of fluid: taken, and through the line, at the reference pressure [m^3, m^3/s]
+    double fill_time = 0, release_time = 0;  // of air: time constants of the chamber [s]
+    double self_energizing = 0;              // share of a drum's torque that its own friction brings; 0: a disc [1]
+    BrakeHeatDescription heat;
+    std::vector<double> temperature, friction;  // relative friction over temperature [degree C, 1]; empty: 1
+    double friction_loss_per_speed = 0;         // share of the friction lost per sliding speed of the pads [s/m]
+    double friction_radius = 0;                 // where the pads act; of that speed [m]
 };
 
 // A suspension as a composition of parts: an axle with two wheels, or one wheel's own. The motor vehicle is unit 0,
@@ -203,10 +213,13 @@ struct VehicleDescription {
     HullDescription hull;
     SteeringDescription steering;
     std::vector<PowerUnitDescription> power_units;
-    std::vector<DifferentialDescription> differentials;  // outputs before inputs
-    double gravity = 9.80665;                            // [m/s^2]
-    std::optional<BodyworkDescription> bodywork = {};    // of the motor vehicle
-    std::shared_ptr<const Places> places;                // of its keys; none where no file was read
+    std::vector<DifferentialDescription> differentials;   // outputs before inputs
+    double gravity = 9.80665;                             // [m/s^2]
+    BrakeSystemDescription brakes = {};                   // from the pedal to the wheels
+    std::vector<ControllerDescription> controllers = {};  // in the order in which they decide
+    SensorsDescription sensors = {};
+    std::optional<BodyworkDescription> bodywork = {};  // of the motor vehicle
+    std::shared_ptr<const Places> places;              // of its keys; none where no file was read
 };
 
 // Calls f(wheel, unit) for all wheels, in the vehicle's order.

@@ -27,14 +27,14 @@ struct Brake {
           valve_command(d.valve_command),
           valve_reduction(1 - d.valve_slope) {}
 
-    // Friction limit [N m].
+    // Friction limit where the torque follows the pedal at once [N m].
     T limit(const T& command) const {
         return (command - valve_reduction * max(T(command - valve_command), T(0))) * max_torque;
     }
 
-    // Torque on the wheel about its axis; `spin`: relative to the carrier.
-    typename DryFriction<T>::Output evaluate(const T& command, const T& spin, const T& windup) const {
-        return DryFriction<T>::evaluate(limit(command), spin, windup, stiffness, damping, compliance);
+    // Torque on the wheel about its axis; `limit`: of friction [N m]; `spin`: relative to the carrier.
+    typename DryFriction<T>::Output evaluate(const T& limit, const T& spin, const T& windup) const {
+        return DryFriction<T>::evaluate(limit, spin, windup, stiffness, damping, compliance);
     }
 };
 

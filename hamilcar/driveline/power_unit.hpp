@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "hamilcar/driveline/commands.hpp"
 #include "hamilcar/driveline/dry_friction.hpp"
 #include "hamilcar/driveline/source.hpp"
 #include "hamilcar/math/spatial.hpp"
@@ -99,10 +100,11 @@ struct PowerUnit {
     Gears<T> gears;
     T loss_share;  // of the torque through the gearbox [1]
     int output;    // differential that it drives
+    int command;   // index of its first command; -1: it takes none
     static constexpr auto members() {
         using P = PowerUnit;
         return std::tuple(&P::source, &P::inertia, &P::inverse_inertia, &P::axis, &P::response_rate, &P::capacity,
-                          &P::converter, &P::gears, &P::loss_share, &P::output);
+                          &P::converter, &P::gears, &P::loss_share, &P::output, &P::command);
     }
 
     struct Output {
@@ -115,6 +117,12 @@ struct PowerUnit {
         T windup_rate, throttle_rate, oil_torque_rate;
         T loss;  // power [W]
     };
+    // The pedal within the limits that controllers set.
+    T limited(const T& pedal, const T* commands) const {
+        if (!commands || command < 0) return pedal;
+        return min(max(pedal, commands[command + UnitCommand::min_throttle]),
+                   commands[command + UnitCommand::max_throttle]);
+    }
     // `shaft`: speed of the gearbox output [rad/s]; `clutch`: pedal; `followed`: throttle with its response lag.
     Output evaluate(const T& pedal, const T& clutch, const T& gear, const T& spin, const T& shaft, const T& windup,
                     const T& followed, const T& oil_torque) const {

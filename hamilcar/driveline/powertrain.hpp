@@ -28,6 +28,13 @@ struct PowertrainMomenta {
     PowertrainMomenta() {}
 };
 
+// What the driver and controllers tell it.
+template <class T>
+struct PowertrainInput {
+    T pedal, clutch, gear;  // as in Input
+    const T* commands;      // of all actuators, or null where they are at rest
+};
+
 template <class T>
 struct Powertrain {
     std::vector<PowerUnit<T>> units;
@@ -79,7 +86,7 @@ struct Powertrain {
 
     // Torques on the driven wheels; `wheel_speeds`: relative to the part that carries the differential; `chassis`: angular
     // velocity of the chassis.
-    void evaluate(const T& pedal, const T& clutch, const T& gear, const Vec3<T>& chassis,
+    void evaluate(const PowertrainInput<T>& told, const Vec3<T>& chassis,
                   const std::array<T, max_driven_wheels>& wheel_speeds, const T* values,
                   PowertrainMomenta<T>& out) const {
         const std::array<T, max_differentials> speeds = input_speeds(wheel_speeds);
@@ -92,8 +99,8 @@ struct Powertrain {
             const auto state = unit_state(i, values);
             const auto output = static_cast<std::size_t>(unit.output);
             const T spin = state.momentum * unit.inverse_inertia - unit.axis.dot(chassis);
-            out.units[i] = unit.evaluate(pedal, clutch, gear, spin, speeds[output], state.windup, state.throttle,
-                                         state.oil_torque);
+            out.units[i] = unit.evaluate(unit.limited(told.pedal, told.commands), told.clutch, told.gear, spin,
+                                         speeds[output], state.windup, state.throttle, state.oil_torque);
             torques[output] += out.units[i].out;
             out.supplied += out.units[i].source * spin;
         }

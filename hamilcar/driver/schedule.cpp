@@ -56,12 +56,15 @@ void Schedule::save(Memory& to) const {
         to.follows[i] = signals_[i].follows();
         if (to.follows[i]) to.spans[i] = signals_[i].followed();
     }
+    to.command_count = commands_.size();
+    std::ranges::copy(commands(), to.commands.begin());
 }
 
 void Schedule::restore(const Memory& from) {
     for (std::size_t i = 0; i < control_count; ++i) {
         if (from.follows[i]) signals_[i].follow(from.spans[i]);
     }
+    set_commands({from.commands.data(), from.command_count});
 }
 
 }  // namespace hamilcar

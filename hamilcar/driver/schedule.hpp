@@ -2,12 +2,16 @@
 // closed-loop driver, which overrides them interval by interval.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <span>
+#include <vector>
 
 #include "hamilcar/block/model.hpp"
 #include "hamilcar/description/scenario.hpp"
 #include "hamilcar/math/signal.hpp"
 #include "hamilcar/steering/column.hpp"
+#include "hamilcar/vehicle/command_layout.hpp"
 
 namespace hamilcar {
 
@@ -39,7 +43,10 @@ public:
 
     // All inputs at a time [s].
     Input<double> operator()(double time) const {
-        return input_of<double>(time, powered_, windy_, [&](Control control) { return signal(control).at(time); });
+        auto input =
+            input_of<double>(time, powered_, windy_, [&](Control control) { return signal(control).at(time); });
+        input.commands = commands_.empty() ? nullptr : commands_.data();
+        return input;
     }
 
     // From `time` on a control follows value, rate and acceleration, until the next call. Without allocation; `step` is the time
@@ -52,10 +59,17 @@ public:
         signals_[static_cast<std::size_t>(control)].follow(time, piece);
     }
 
-    // What later inputs depend on besides the scenario's tables: the controls that a driver has overridden.
+    // What controllers tell actuators from now on (vehicle/command_layout.hpp); an input refers to them as they are then. Without
+    // allocation but for the first time.
+    void set_commands(std::span<const double> commands) { commands_.assign(commands.begin(), commands.end()); }
+    std::span<const double> commands() const { return commands_; }
+
+    // What later inputs depend on besides the scenario's tables: the controls that a driver has overridden, and the commands.
     struct Memory {
         std::array<bool, control_count> follows{};
         std::array<Signal::Span, control_count> spans;
+        std::size_t command_count = 0;
+        std::array<double, max_commands> commands;
     };
     void save(Memory& to) const;
     void restore(const Memory& from);
@@ -68,6 +82,7 @@ public:
 private:
     std::array<Signal, control_count> signals_;
     bool powered_ = false, windy_ = false;
+    std::vector<double> commands_;
 };
 
 }  // namespace hamilcar

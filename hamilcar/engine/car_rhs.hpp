@@ -12,7 +12,7 @@ class CarRhs {
 public:
     // As in RhsReport.
     struct Report {
-        std::array<double, RhsReport::correction + state_capacity> numbers;
+        std::array<double, RhsReport::correction + state_capacity + max_measurements> numbers;
         Report() {}
         Health<double> health() const { return {numbers[RhsReport::violation], numbers[RhsReport::mobility]}; }
     };
@@ -20,8 +20,10 @@ public:
     CarRhs(const RhsProgram& program, const Surface* surface) : program_(&program), surface_(surface) {}
 
     void evaluate(const Input<double>& input, const State<double>& state, State<double>& rate, Report& report) const {
-        std::array<double, RhsInput::size> numbers;
-        write(input, numbers);
+        std::array<double, static_cast<std::size_t>(RhsInput::size) + max_commands> numbers;
+        write(input, numbers.data());
+        HAMILCAR_ASSERT(input.commands || program_->commands == 0);
+        std::copy_n(input.commands, program_->commands, numbers.data() + RhsInput::size);
         const LaneSurfaces ground{&surface_, &input.time, 0};
         program::Frame frame{.functions = rhs_functions(Precision::double_precision), .context = &ground};
         frame.arrays[rhs_state] = const_cast<double*>(state.values.data());  // only read
@@ -44,26 +46,32 @@ public:
         if (program_->chart == ChassisChart::quaternion) to.orientation() = normalized<double>(to.orientation());
     }
 
+    void read_measurement(const Report& first, double* to) const {
+        std::copy_n(first.numbers.data() + program_->measurement(), program_->measured, to);
+    }
+
 private:
-    static void write(const Input<double>& from, std::array<double, RhsInput::size>& to) {
-        to = {from.rack.displacement,
-              from.rack.rate,
-              from.rack.acceleration,
-              from.drive_torque,
-              from.brake,
-              from.throttle,
-              from.clutch,
-              from.gear,
-              from.wind_x,
-              from.wind_y};
+    static void write(const Input<double>& from, double* to) {
+        const std::array<double, RhsInput::size> numbers{from.rack.displacement,
+                                                         from.rack.rate,
+                                                         from.rack.acceleration,
+                                                         from.drive_torque,
+                                                         from.brake,
+                                                         from.throttle,
+                                                         from.clutch,
+                                                         from.gear,
+                                                         from.wind_x,
+                                                         from.wind_y};
+        std::ranges::copy(numbers, to);
     }
 
     const RhsProgram* program_;
     const Surface* surface_;
 };
 
-// One step, in place. Returns the worst health of all evaluations.
+// One step, in place. Returns the worst health of all evaluations; `measured` becomes what sensors read at the step's beginning, if
+// they read anything.
 Health<double> advance_car(const CarRhs& rhs, Integrator<State<double>>& integrator, const Schedule& schedule,
-                           double time, State<double>& state);
+                           double time, State<double>& state, double* measured = nullptr);
 
 }  // namespace hamilcar

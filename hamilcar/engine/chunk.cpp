@@ -31,7 +31,7 @@ public:
           now_(size_),
           next_(size_),
           integrator_(settings.method, settings.step, static_cast<int>(size_), 0, Numbers(size_)),
-          driver_(lanes_),
+          driver_(lanes_, program_->commands),
           clocks_(static_cast<std::size_t>(lanes_)),
           times_{std::vector<double>(static_cast<std::size_t>(lanes_))},
           lane_states_(cars.size()) {
@@ -71,6 +71,11 @@ public:
             const auto at = static_cast<std::size_t>((past->rates.newest + order - back) % order);
             set_lane(integrator_.past(back), lane, past->rates.past[at]);
         }
+    }
+    void measurement(int lane, double* to) const override {
+        const E* from = first_.numbers.data() + static_cast<std::size_t>(program_->measurement() * lanes_ + lane);
+        for (int i = 0; i < program_->measured; ++i)
+            to[i] = static_cast<double>(from[static_cast<std::ptrdiff_t>(i) * lanes_]);
     }
     void save_past(int lane, LanePast& to) const override {
         const int order = settings_.method.order;

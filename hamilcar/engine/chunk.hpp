@@ -54,6 +54,8 @@ public:
     virtual void set_car(int lane, const LaneCar& car, const LanePast* past = nullptr) = 0;
     // Runs a program of the same cars (engine/traced_sample.hpp) on their states: number i of lane l is at [i * lanes + l].
     virtual std::vector<double> sample(const program::Executable& program, std::size_t count) = 0;
+    // What sensors of a car read at the beginning of the latest step.
+    virtual void measurement(int lane, double* to) const = 0;
     // Of a car that runs.
     virtual void save_past(int lane, LanePast& to) const = 0;
 };

@@ -26,12 +26,13 @@ public:
         RhsInput::rack,   RhsInput::drive_torque, RhsInput::brake,  RhsInput::throttle,
         RhsInput::clutch, RhsInput::gear,         RhsInput::wind_x, RhsInput::wind_y};
 
-    explicit LaneDriver(int lanes)
+    LaneDriver(int lanes, int commands)
         : lanes_(static_cast<std::size_t>(lanes)),
+          commands_(static_cast<std::size_t>(commands)),
           schedules_(lanes_),
           valid_(lanes_),
           pieces_(control_count * lanes_),
-          inputs_(RhsInput::size * lanes_) {}
+          inputs_((RhsInput::size + commands_) * lanes_) {}
 
     void set_schedule(int lane, const Schedule& schedule) {
         schedules_[static_cast<std::size_t>(lane)] = &schedule;
@@ -39,7 +40,7 @@ public:
     }
     void copy_schedule(int from, int to) { set_schedule(to, *schedules_[static_cast<std::size_t>(from)]); }
 
-    // The RhsInput of all lanes, so far ahead of the times of each [s].
+    // The inputs of all lanes as in RhsInput, so far ahead of the times of each [s].
     const LaneNumbers<E>& operator()(const LaneTimes& times, double ahead) {
         if (!is_valid(times, ahead)) fetch(times, ahead);
         for (std::size_t control = 0; control < control_count; ++control) {
@@ -99,6 +100,13 @@ private:
             for (std::size_t i = 0; i < lanes_; ++i) fetch(control, i, times.at[i] + ahead);
             evaluate(control, times, ahead);
         }
+        for (std::size_t i = 0; i < lanes_; ++i) {
+            const std::span<const double> told = schedules_[i]->commands();
+            HAMILCAR_ASSERT(told.size() == commands_);
+            for (std::size_t k = 0; k < commands_; ++k) {
+                inputs_.values[(RhsInput::size + k) * lanes_ + i] = static_cast<E>(told[k]);
+            }
+        }
     }
     void fetch(std::size_t control, std::size_t lane, double time) {
         const Signal::Span& span = schedules_[lane]->signal(static_cast<Control>(control)).piece_at(time);
@@ -115,7 +123,7 @@ private:
                                             start.low};
     }
 
-    std::size_t lanes_;
+    std::size_t lanes_, commands_;
     std::vector<const Schedule*> schedules_;
     std::vector<Interval> valid_;                 // the pieces below
     Interval all_valid_;                          // in all lanes, where their times are the same

@@ -83,6 +83,7 @@ std::shared_ptr<const RhsProgram> make_program(const Model<double>& model, const
     made->correction_indices = std::move(trace.correction_indices);
     made->parameters = std::move(trace.parameters);
     made->state_size = model.vehicle.state_size;
+    made->commands = model.vehicle.commands, made->measured = trace.measured;
     made->chart = model.chart;
     if (events_are_logged()) {
         const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;

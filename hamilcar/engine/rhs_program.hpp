@@ -15,10 +15,13 @@ struct RhsProgram {
     std::unique_ptr<const program::Executable> executable;
     std::vector<int> correction_indices;  // as in RhsTrace
     std::vector<int> parameters;
-    int state_size = 0;
+    int state_size = 0, commands = 0, measured = 0;
     ChassisChart chart{};
 
-    int report_size() const { return RhsReport::correction + static_cast<int>(correction_indices.size()); }
+    // Where in the report the measurement begins, and the report's size.
+    int measurement() const { return RhsReport::correction + static_cast<int>(correction_indices.size()); }
+    int report_size() const { return measurement() + measured; }
+    int input_size() const { return RhsInput::size + commands; }
     void run(const program::Frame& frame) const { executable->run(frame); }
 };
 

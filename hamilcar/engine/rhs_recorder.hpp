@@ -45,6 +45,7 @@ public:
         output(rhs_report, RhsReport::violation, evaluation.health.violation);
         output(rhs_report, RhsReport::mobility, evaluation.health.mobility);
         if (model.constraints == ConstraintMode::exact) report_correction(model, evaluation);
+        if (model.vehicle.is_measured) report_measurement(model.vehicle, state, velocity, momenta);
     }
 
     // What `readers` find, in the array of the rates; suspensions one by one, whose results readers know.
@@ -129,7 +130,21 @@ private:
                 .clutch = at(I::clutch),
                 .gear = at(I::gear),
                 .wind_x = at(I::wind_x),
-                .wind_y = at(I::wind_y)};
+                .wind_y = at(I::wind_y),
+                .commands = traced_commands()};
+    }
+    const T* traced_commands() {
+        for (int i = 0; i < from_.vehicle.commands; ++i) commands_.push_back(input(rhs_input, RhsInput::size + i));
+        return commands_.empty() ? nullptr : commands_.data();
+    }
+
+    void report_measurement(const Vehicle<T>& vehicle, const State<T>& state, const Velocity<T, S>& velocity,
+                            const Momenta<T>& momenta) {
+        std::array<T, max_measurements> measured;
+        measure(vehicle, state, velocity, momenta, measured.data());
+        to_.measured = MeasurementPlaces(vehicle).size;
+        const int first = RhsReport::correction + static_cast<int>(to_.correction_indices.size());
+        for (int i = 0; i < to_.measured; ++i) output(rhs_report, first + i, measured[static_cast<std::size_t>(i)]);
     }
 
     // Applies add_correction to traced numbers to find out where each correction belongs.
@@ -151,6 +166,7 @@ private:
     RhsTrace& to_;
     Tracing tracing_;
     std::size_t seen_ = 0, shape_seen_ = 0;
+    std::vector<T> commands_;
 };
 
 }  // namespace hamilcar

@@ -54,14 +54,14 @@ CommonCar common_car(std::span<const Model<double>* const> cars, Model<double>& 
 }
 
 RhsTrace trace_rhs(const Model<double>& model, const CommonCar& common, program::Precision precision) {
-    RhsTrace out{.graph = program::Graph(precision), .correction_indices = {}, .parameters = {}};
+    RhsTrace out{.graph = program::Graph(precision), .correction_indices = {}, .parameters = {}, .measured = 0};
     RhsRecorder(model, common, out).record();
     return out;
 }
 
 RhsTrace trace_sample(const Model<double>& example, const CommonCar& common, Precision precision,
                       const TracedReaders& readers) {
-    RhsTrace out{.graph = program::Graph(precision), .correction_indices = {}, .parameters = {}};
+    RhsTrace out{.graph = program::Graph(precision), .correction_indices = {}, .parameters = {}, .measured = 0};
     RhsRecorder(example, common, out).record(readers);
     return out;
 }

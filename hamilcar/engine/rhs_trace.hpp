@@ -19,7 +19,7 @@ enum RhsArray : int {
     rhs_report,      // as in RhsReport
 };
 
-// Indices of the inputs.
+// Indices of the inputs; behind them the commands of a car with controllers (vehicle/command_layout.hpp).
 struct RhsInput {
     enum : int {
         rack,
@@ -36,7 +36,8 @@ struct RhsInput {
     };
 };
 
-// Results besides the rates: health, then the Newton corrections from index `correction` on.
+// Results besides the rates: health, then the Newton corrections from index `correction` on, and behind them what sensors read
+// (block/measurement.hpp) of a car with controllers.
 struct RhsReport {
     enum : int { violation, mobility, correction };
 };
@@ -61,6 +62,7 @@ struct RhsTrace {
     std::vector<int>
         correction_indices;       // in the state, of the coordinates that the corrections in RhsReport belong to
     std::vector<int> parameters;  // indices into ModelNumbers::numbers of the program's parameters
+    int measured = 0;             // numbers that sensors read
 };
 
 // What several cars of one topology have in common, for one program of all.

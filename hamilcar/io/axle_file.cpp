@@ -31,7 +31,8 @@ WheelDescription mirrored_wheel(WheelDescription wheel) {
 }
 
 SuspensionWheelDescription read_wheel_of(const TableReader& axle, const NamedTires& tires,
-                                         const Composition& composition, std::size_t number) {
+                                         const BrakeSystemDescription& brakes, const Composition& composition,
+                                         std::size_t number) {
     const TableReader table = axle.table("wheel");
     const WheelDescription wheel = read_wheel(table);
     SuspensionWheelDescription out{.name = axle.text("name") + "_left",
@@ -41,7 +42,7 @@ SuspensionWheelDescription read_wheel_of(const TableReader& axle, const NamedTir
                                    .bump = read_stop(axle.optional_table("bump_stop")),
                                    .rebound = read_stop(axle.optional_table("rebound_stop")),
                                    .tire = tire_of(axle, tires),
-                                   .brake = read_brake(axle.optional_table("brake"), wheel),
+                                   .brake = read_brake(axle.optional_table("brake"), wheel, brakes),
                                    .drive_share = axle.number("drive_share", fraction, 0) / 2,
                                    .drive_reaction = composition.drive_reaction,
                                    .bar_arm = {}};
@@ -105,11 +106,11 @@ void add_suspensions(const AxleTables& axle, const NamedTires& tires, const Axle
     check_shared_parts(axle, sides);
     SuspensionDescription left = named, right = named;
     left.linkage = sides.left.linkage, right.linkage = sides.right.linkage;
-    left.wheels = {read_wheel_of(axle.left, tires, sides.left, 0)};
+    left.wheels = {read_wheel_of(axle.left, tires, vehicle.brakes, sides.left, 0)};
     add_bodies(axle.left, sides, false, left);
     SuspensionDescription& of_right = one ? left : right;
-    of_right.wheels.push_back(
-        mirrored_wheel(read_wheel_of(axle.of_right(), tires, sides.of_right(), one ? 1 : 0), named.name));
+    of_right.wheels.push_back(mirrored_wheel(
+        read_wheel_of(axle.of_right(), tires, vehicle.brakes, sides.of_right(), one ? 1 : 0), named.name));
     add_bodies(axle.of_right(), sides, true, of_right);
     add_springs_and_dampers(axle, sides, left, of_right);
     align_axle(axle, sides, left, of_right);

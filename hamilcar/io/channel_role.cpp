@@ -19,6 +19,7 @@ constexpr std::array<std::string_view, channel_role_count> names{"",
                                                                  "steering_torque",
                                                                  "drive_torque",
                                                                  "brake",
+                                                                 "controller_activity",
                                                                  "rotor_speed",
                                                                  "rotor_torque",
                                                                  "unit_throttle",
@@ -26,6 +27,7 @@ constexpr std::array<std::string_view, channel_role_count> names{"",
                                                                  "clutch_torque",
                                                                  "wheel_travel",
                                                                  "wheel_spin",
+                                                                 "brake_pressure",
                                                                  "vertical_force",
                                                                  "slip_angle",
                                                                  "longitudinal_slip",
@@ -64,6 +66,7 @@ DisplayUnit display_unit(ChannelRole role) {
     switch (role) {
         case ChannelRole::longitudinal_velocity: return {"km/h", 3.6};
         case ChannelRole::brake:
+        case ChannelRole::controller_activity:
         case ChannelRole::unit_throttle:
         case ChannelRole::longitudinal_slip: return {"%", 100};
         case ChannelRole::wheel_travel: return {"mm", 1000};

@@ -20,6 +20,8 @@ enum class ChannelRole {
     steering_torque,
     drive_torque,
     brake,
+    // Of a controller.
+    controller_activity,
     // Of a power unit.
     rotor_speed,
     rotor_torque,
@@ -29,6 +31,7 @@ enum class ChannelRole {
     // Of a wheel.
     wheel_travel,
     wheel_spin,
+    brake_pressure,
     // Of a tire.
     vertical_force,
     slip_angle,
@@ -49,7 +52,7 @@ enum class ChannelRole {
     pose_qy,
     pose_qz,
 };
-inline constexpr int channel_role_count = 34;
+inline constexpr int channel_role_count = 36;
 
 // The role's name in files; "" for none.
 std::string_view text(ChannelRole role);

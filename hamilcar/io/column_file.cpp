@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "hamilcar/base/key_unit.hpp"
 #include "hamilcar/base/text.hpp"
 #include "hamilcar/base/units.hpp"
 #include "hamilcar/io/crg_parts.hpp"
 #include "hamilcar/io/csv.hpp"
 #include "hamilcar/io/error.hpp"
-#include "hamilcar/io/key_unit.hpp"
 #include "hamilcar/io/spelling.hpp"
 #include "hamilcar/io/whole_file.hpp"
 

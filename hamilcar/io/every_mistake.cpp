@@ -4,8 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "hamilcar/base/key_unit.hpp"
 #include "hamilcar/io/chosen_keys.hpp"
-#include "hamilcar/io/key_unit.hpp"
 #include "hamilcar/io/spelling.hpp"
 
 namespace hamilcar::io {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "hamilcar/io/key_unit.hpp"
+#include "hamilcar/base/key_unit.hpp"
 
 namespace hamilcar::io {
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "hamilcar/io/key_unit.hpp"
+#include "hamilcar/base/key_unit.hpp"
 #include "hamilcar/io/spelling.hpp"
 
 namespace hamilcar::io {

@@ -5,12 +5,14 @@
 #include <cmath>
 
 #include "hamilcar/base/text.hpp"
+#include "hamilcar/control/kinds.hpp"
 #include "hamilcar/integrator/stabilization.hpp"
 #include "hamilcar/io/choices.hpp"
 #include "hamilcar/io/driver_file.hpp"
 #include "hamilcar/io/every_mistake.hpp"
 #include "hamilcar/io/file_kind.hpp"
 #include "hamilcar/io/road_file.hpp"
+#include "hamilcar/io/spelling.hpp"
 #include "hamilcar/io/table_reader.hpp"
 
 namespace hamilcar::io {
@@ -176,6 +178,23 @@ void choose_masters(Node& document) {
     if (!brakes || *brakes) choose(document, "driver.speed", "inputs.brake");
 }
 
+// Kinds of controllers that the run does without, whether the vehicle has them or not.
+std::vector<std::string> read_controllers_off(const TableReader& file) {
+    constexpr std::string_view key = "controllers_off";
+    const std::vector<std::string> off = file.texts(key);
+    file.note(key, "kinds of controllers that the run does without, or 'all'");
+    std::vector<std::string_view> words;
+    for (const ControllerKind* kind : controller_kinds()) words.push_back(kind->keyword);
+    words.emplace_back("all");
+    for (const std::string& word : off) {
+        const std::string hint = did_you_mean(word, words);
+        file.expect(
+            std::ranges::find(words, word) != words.end(), key,
+            "a list of " + quoted_list(words) + ", which '" + word + "' is not" + (hint.empty() ? "" : "; " + hint));
+    }
+    return off;
+}
+
 std::vector<std::array<double, 2>> read_cones(const TableReader& course) {
     std::vector<std::array<double, 2>> cones;
     for (const TableReader& cone : course.tables("cone")) cones.push_back(cone.array<2>("position_m"));
@@ -214,6 +233,7 @@ ScenarioDescription read_scenario(const TableReader& file) {
     file.choose_presence("maneuver", [&](bool present) {
         scenario.duration = present ? file.number("duration_s", positive, 1) : file.number("duration_s", positive);
     });
+    scenario.controllers_off = read_controllers_off(file);
     if (const auto table = file.optional_table("solver")) scenario.solver = read_solver(*table);
     if (const auto table = file.optional_table("initial")) scenario.initial = read_initial(*table);
     if (const auto table = file.optional_table("road")) scenario.road = read_road(*table);

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "hamilcar/base/key_unit.hpp"
 #include "hamilcar/base/text.hpp"
-#include "hamilcar/io/key_unit.hpp"
 
 namespace hamilcar::io {
 

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <unordered_map>
 
+#include "hamilcar/base/key_unit.hpp"
 #include "hamilcar/base/text.hpp"
 #include "hamilcar/io/key_record.hpp"
-#include "hamilcar/io/key_unit.hpp"
 #include "hamilcar/io/spelling.hpp"
 
 namespace hamilcar::io {

@@ -170,6 +170,7 @@ VehicleDescription read_vehicle(const TableReader& file) {
                                .gravity = file.number("gravity_m_per_s2", not_negative, 9.80665),
                                .bodywork = read_bodywork(file.optional_table("body")),
                                .places = {}};
+    vehicle.brakes = read_brake_system(file);
     const NamedTires tires = read_tires(file);
     std::vector<std::string> names;
     read_axles(file, tires, 0, names, vehicle);
@@ -190,6 +191,8 @@ VehicleDescription read_vehicle(const TableReader& file) {
     file.expect(StateLayout(vehicle).size() <= state_capacity, "power_unit",
                 "fewer coordinates of suspensions, or fewer power units and differentials: together they hold " +
                     std::to_string(beyond_chassis_capacity) + " numbers at most");
+    read_controllers(file, vehicle);
+    vehicle.sensors = read_sensors(file.optional_table("sensors"));
     file.finish();
     if (!file.is_recording()) {
         const auto obstacle = find_preloads(vehicle);

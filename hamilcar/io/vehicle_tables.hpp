@@ -24,7 +24,11 @@ bool has_room_for(const BodyDescription& body, const std::vector<std::pair<doubl
 WheelDescription read_wheel(const TableReader& wheel);
 DamperDescription read_damper(const TableReader& damper);
 StopDescription read_stop(const std::optional<TableReader>& stop);
-BrakeDescription read_brake(const std::optional<TableReader>& brake, const WheelDescription& wheel);
+// `system`: that it belongs to, whose medium decides what else there is to say of it.
+BrakeDescription read_brake(const std::optional<TableReader>& brake, const WheelDescription& wheel,
+                            const BrakeSystemDescription& system);
+// What a brake has in a brake system only: its line, its kind and its heat. Its torque is known.
+void read_brake_in_system(const TableReader& brake, const BrakeSystemDescription& system, BrakeDescription& to);
 
 // All tables [tire.NAME] of a file, as they are on the left side of the vehicle, and the one that an axle names. A new model
 // is one function that reads its keys and one line in a list.
@@ -82,6 +86,14 @@ void read_axle(const TableReader& axle, const NamedTires& tires, std::size_t uni
 
 // Reads [[differential]] into the vehicle, whose axles are there already, and returns their tables in the vehicle's order.
 std::vector<TableReader> read_differentials(const TableReader& file, VehicleDescription& vehicle);
+
+// [brakes], from the pedal to the lines.
+BrakeSystemDescription read_brake_system(const TableReader& file);
+
+// Reads [[controller]] and [sensors]; both may be left out, and `controllers = false` leaves out the controllers of a base. Everything
+// else of the vehicle is there already.
+void read_controllers(const TableReader& file, VehicleDescription& vehicle);
+SensorsDescription read_sensors(const std::optional<TableReader>& table);
 
 // Reads [[differential]] and [[power_unit]]; both may be left out, and `powertrain = false` leaves out those of a base.
 void read_powertrain(const TableReader& file, VehicleDescription& vehicle);

@@ -76,7 +76,8 @@ StopDescription read_stop(const std::optional<TableReader>& stop) {
             stop->number("progression_N_per_m2", not_negative, 0)};
 }
 
-BrakeDescription read_brake(const std::optional<TableReader>& brake, const WheelDescription& wheel) {
+BrakeDescription read_brake(const std::optional<TableReader>& brake, const WheelDescription& wheel,
+                            const BrakeSystemDescription& system) {
     if (!brake) return {};
     const double spins = wheel.spin_inertia;
     BrakeDescription out;
@@ -89,6 +90,7 @@ BrakeDescription read_brake(const std::optional<TableReader>& brake, const Wheel
         out.valve_command = valve->number("command", fraction);
         out.valve_slope = valve->number("slope", fraction);
     }
+    read_brake_in_system(*brake, system, out);
     return out;
 }
 

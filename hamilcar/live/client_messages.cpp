@@ -155,6 +155,10 @@ const std::map<std::string, ClientMessage (*)(FieldReader&), std::less<>>& reade
         {"pause", [](FieldReader& f) -> ClientMessage { return PauseMessage{f.flag("on")}; }},
         {"pace", [](FieldReader& f) -> ClientMessage { return PaceMessage{f.number("factor", 0.05, 1)}; }},
         {"record", [](FieldReader& f) -> ClientMessage { return RecordMessage{f.flag("on")}; }},
+        {"switch",
+         [](FieldReader& f) -> ClientMessage {
+             return SwitchMessage{f.text("aid"), f.flag("on")};
+         }},
         {"take", [](FieldReader&) -> ClientMessage { return TakeMessage{}; }},
     };
     return list;
@@ -167,7 +171,7 @@ std::variant<ClientMessage, InvalidMessage> read_message(std::string_view text) 
     if (!json::sax_parse(text, &object)) return InvalidMessage{object.problem};
     FieldReader fields(std::move(object.fields));
     const auto reader = readers().find(fields.text("type"));
-    if (reader == readers().end()) fields.report("type", "input, load, reset, pause, pace, record or take");
+    if (reader == readers().end()) fields.report("type", "input, load, reset, pause, pace, record, switch or take");
     if (reader == readers().end()) return InvalidMessage{fields.problem()};
     ClientMessage message = reader->second(fields);
     if (const std::string problem = fields.problem(); !problem.empty()) {

@@ -82,6 +82,7 @@ void Connections::handle_driver_message(std::uint32_t number, const ClientMessag
     if (const auto* pause = std::get_if<PauseMessage>(&message)) session_.pause(pause->on);
     if (const auto* pace = std::get_if<PaceMessage>(&message)) session_.set_pace(pace->factor);
     if (const auto* record = std::get_if<RecordMessage>(&message)) session_.record(record->on, number);
+    if (const auto* to_switch = std::get_if<SwitchMessage>(&message)) switch_aid(number, *to_switch);
     if (const auto* to_load = std::get_if<LoadMessage>(&message)) load(number, to_load->request);
 }
 
@@ -94,6 +95,10 @@ void Connections::load(std::uint32_t number, const LoadRequest& request) {
     } else {
         session_.load(request, number);
     }
+}
+
+void Connections::switch_aid(std::uint32_t number, const SwitchMessage& wanted) {
+    if (!session_.switch_aid(wanted.aid, wanted.on)) refuse(number, fmt::format("This car has no '{}'.", wanted.aid));
 }
 
 void Connections::refuse(std::uint32_t number, std::string_view why) {
@@ -162,7 +167,7 @@ void Connections::forgive() {
 
 Message Connections::status_for(const Client& client) {
     return message(status_message({driver_, clients_.size()}, session_.progress(), session_.recording(),
-                                  client.page->lost_frames()));
+                                  session_.switched_off(), client.page->lost_frames()));
 }
 
 std::string Connections::summary() {

@@ -54,6 +54,7 @@ private:
     void handle(std::uint32_t number, const ClientMessage& message);
     void handle_driver_message(std::uint32_t number, const ClientMessage& message);
     void load(std::uint32_t number, const LoadRequest& request);
+    void switch_aid(std::uint32_t number, const SwitchMessage& wanted);
     void send_result();
     void refuse(std::uint32_t number, std::string_view why);
     Message status_for(const Client& client);

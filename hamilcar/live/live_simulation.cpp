@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hamilcar/control/kinds.hpp"
 #include "hamilcar/run/scene.hpp"
 
 namespace hamilcar::live {
@@ -12,13 +13,14 @@ namespace {
 constexpr double speed_interval = 0.01;      // of simulated time, at which the filter's speeds are updated [s]
 constexpr double decision_interval = 0.005;  // at which gears are chosen and the course is judged [s]
 
-// Pedals and gears are left to the user: engines are running and neutral is engaged.
+// Pedals, gears and the switches of aids are left to the user: engines are running, neutral is engaged and aids are on.
 ScenarioDescription live_scenario(ScenarioDescription scenario, double friction, const VehicleDescription& vehicle,
                                   const std::optional<CourseJudge>& judge) {
     scenario.road.friction = friction;
     scenario.steering_input = SteeringInput::none;
     scenario.steering = scenario.drive = scenario.brake = scenario.throttle = scenario.clutch = scenario.gear = {};
     scenario.driver = {};
+    scenario.controllers_off.clear();
     if (!vehicle.power_units.empty()) scenario.gear = {.time = {0}, .value = {0}};
     if (judge) {
         const CourseJudge::Start start = judge->start();
@@ -42,6 +44,17 @@ MeasuredSpeeds measured_speeds(const VehicleDescription& vehicle, const Sample& 
     return {.speed = sample.velocity.chassis[0], .spin = weight > 0 ? sum / weight : 0};
 }
 
+std::vector<Aid> aids_of(const VehicleDescription& vehicle) {
+    std::vector<Aid> aids;
+    for (std::size_t i = 0; i < std::min(vehicle.controllers.size(), AidSet().size()); ++i) {
+        const ControllerKind* kind = find_controller_kind(vehicle.controllers[i].kind);
+        if (kind && kind->keyword != external_control().keyword) {
+            aids.push_back({i, std::string(kind->keyword), std::string(kind->meaning)});
+        }
+    }
+    return aids;
+}
+
 }  // namespace
 
 LiveSimulation::LiveSimulation(std::uint32_t number, const LoadRequest& request, const VehicleDescription& vehicle,
@@ -51,6 +64,7 @@ LiveSimulation::LiveSimulation(std::uint32_t number, const LoadRequest& request,
       judge_(course ? std::optional<CourseJudge>(std::in_place, std::move(*course), vehicle) : std::nullopt),
       simulation_(vehicle, live_scenario(std::move(scenario), request.friction, vehicle, judge_)),
       filter_(car(), Column(vehicle.steering), shaft_ratio(), step()),
+      aids_(aids_of(vehicle)),
       channels_(all_channels(vehicle)),
       values_(channels_.size()),
       scene_(scene_json(vehicle, simulation_.scenario())),
@@ -96,11 +110,21 @@ void LiveSimulation::apply(const Input<double>& now) {
 
 void LiveSimulation::reset() {
     simulation_.restore(start_);
+    switch_off(off_);
     filter_.reset();
     apply({.time = time()});
     if (judge_) judge_->begin();
     values_step_ = -1;
     publish_frame({});
+}
+
+void LiveSimulation::switch_off(const AidSet& off) {
+    off_ = off;
+    for (const Aid& aid : aids_) {
+        const bool on = !off[aid.controller];
+        const bool changes = simulation_.control()->is_on(aid.controller, simulation_.control_memory()) != on;
+        if (changes) simulation_.switch_controller(aid.controller, on);  // which allocates
+    }
 }
 
 std::span<const double> LiveSimulation::channel_values() {

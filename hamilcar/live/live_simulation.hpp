@@ -4,6 +4,7 @@
 // clock, so the same controls give the same path, bit for bit, at any pace and frame rate.
 #pragma once
 
+#include <bitset>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -23,6 +24,15 @@ struct LoadRequest {
     double friction = 1;
 };
 
+// A controller that the driver may switch off; one that is commanded from outside is none.
+struct Aid {
+    std::size_t controller;  // its place in the vehicle's file
+    std::string keyword, meaning;
+};
+
+// Some of a car's aids, by their places in its file; a controller behind so many cannot be switched.
+using AidSet = std::bitset<32>;
+
 // Controls with the page that sent them and that page's sequence number.
 struct ReceivedControls {
     std::uint32_t page = 0, sequence = 0;
@@ -40,8 +50,8 @@ struct Frame {
 
 class LiveSimulation {
 public:
-    // The scenario defines start, road and solver; its inputs and duration are ignored, and a course overrides its start. Vehicles
-    // with power units are driven by these. Throws as Simulation and CourseJudge do.
+    // The scenario defines start, road and solver; its inputs, duration and controllers_off are ignored, and a course overrides its
+    // start. Vehicles with power units are driven by these. Throws as Simulation and CourseJudge do.
     LiveSimulation(std::uint32_t number, const LoadRequest& request, const VehicleDescription& vehicle,
                    ScenarioDescription scenario, std::optional<TestCourse> course = {});
 
@@ -51,6 +61,7 @@ public:
     const std::vector<Channel>& channels() const { return channels_; }
     const std::string& scene() const { return scene_; }  // JSON
     const DrivenCar& car() const { return simulation_.driven_car(); }
+    const std::vector<Aid>& aids() const { return aids_; }
     const TestCourse* course() const { return judge_ ? &judge_->course() : nullptr; }
     double step() const { return simulation_.scenario().solver.step; }
     const VehicleDescription& vehicle() const { return simulation_.vehicle(); }
@@ -60,7 +71,8 @@ public:
 
     // For the thread that steps.
     std::optional<End> advance(const ReceivedControls& received);
-    void reset();                                          // to the start, bit for bit
+    void reset();                                          // to the start, bit for bit; aids stay on or off
+    void switch_off(const AidSet& off);                    // these of the aids, all others on
     void publish_frame(const ReceivedControls& received);  // for the thread that shows
     double time() const { return simulation_.time(); }
     long steps_taken() const { return simulation_.steps_taken(); }
@@ -82,6 +94,8 @@ private:
     Simulation simulation_;
     ControlFilter filter_;
     MeasuredSpeeds speeds_;
+    std::vector<Aid> aids_;
+    AidSet off_;
     std::vector<Channel> channels_;
     std::vector<double> values_;  // of the channels, at step `values_step_`
     long values_step_ = -1;

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "hamilcar/live/session.hpp"
 #include "hamilcar/road/tile.hpp"
@@ -31,10 +32,14 @@ struct LoadMessage {
 struct RecordMessage {
     bool on = false;
 };
+struct SwitchMessage {
+    std::string aid;  // its keyword
+    bool on = false;
+};
 struct TakeMessage {};
 
-using ClientMessage =
-    std::variant<InputMessage, ResetMessage, PauseMessage, PaceMessage, LoadMessage, RecordMessage, TakeMessage>;
+using ClientMessage = std::variant<InputMessage, ResetMessage, PauseMessage, PaceMessage, LoadMessage, RecordMessage,
+                                   SwitchMessage, TakeMessage>;
 
 // Why a message was refused, for the user.
 struct InvalidMessage {
@@ -52,8 +57,10 @@ struct ConnectionStatus {
 std::string hello_message(std::uint32_t page, const Catalog& catalog);
 std::string car_message(const LiveSimulation& simulation);
 std::string result_message(const TestCourse& course, const CourseRun& run);
+// `switched_off`: keywords of aids.
 std::string status_message(const ConnectionStatus& connections, const Progress& progress,
-                           const RecordingStatus& recording, long lost_frames);
+                           const RecordingStatus& recording, const std::vector<std::string>& switched_off,
+                           long lost_frames);
 std::string refusal_message(std::string_view message);
 // Binary messages.
 std::string frame_message(std::uint32_t car, const Frame& frame);

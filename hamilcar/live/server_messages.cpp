@@ -66,6 +66,12 @@ json driveline(const LiveSimulation& simulation) {
             {"automatic", car.gearbox.automatic}};
 }
 
+json aids_of(const LiveSimulation& simulation) {
+    json aids = json::array();
+    for (const Aid& aid : simulation.aids()) aids.push_back({{"keyword", aid.keyword}, {"meaning", aid.meaning}});
+    return aids;
+}
+
 json course_of(const LiveSimulation& simulation) {
     const TestCourse* test = simulation.course();
     if (!test) return nullptr;
@@ -116,6 +122,7 @@ std::string car_message(const LiveSimulation& simulation) {
                                 {"gravity_m_per_s2", simulation.vehicle().gravity},
                                 {"channels", std::move(channels)},
                                 {"driveline", driveline(simulation)},
+                                {"aids", aids_of(simulation)},
                                 {"course", course_of(simulation)}});
     text.back() = ',';  // the scene is JSON already
     return text + "\"scene\":" + simulation.scene() + "}";
@@ -144,7 +151,8 @@ std::string result_message(const TestCourse& course, const CourseRun& run) {
 }
 
 std::string status_message(const ConnectionStatus& connections, const Progress& progress,
-                           const RecordingStatus& recording, long lost_frames) {
+                           const RecordingStatus& recording, const std::vector<std::string>& switched_off,
+                           long lost_frames) {
     const PaceReport& report = progress.report;
     return text_of({{"type", "status"},
                     {"driver", connections.driver},
@@ -153,6 +161,7 @@ std::string status_message(const ConnectionStatus& connections, const Progress& 
                     {"ended", progress.ended},
                     {"pace", progress.pace},
                     {"time", progress.time},
+                    {"switched_off", switched_off},
                     {"steps", report.steps},
                     {"step_ms", 1e3 * progress.step},
                     {"period_ms", 1e3 * report.period},

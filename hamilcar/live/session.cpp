@@ -1,5 +1,6 @@
 #include "hamilcar/live/session.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 
@@ -26,6 +27,23 @@ void Session::set_driven(bool on) {
 
 void Session::set_pace(double pace) {
     stepper_.post([pace](Commands& commands) { commands.pace = pace; });
+}
+
+bool Session::switch_aid(std::string_view keyword, bool on) {
+    const std::vector<Aid>& aids = simulation_->aids();
+    const auto found = std::ranges::find(aids, keyword, &Aid::keyword);
+    if (found == aids.end()) return false;
+    aids_off_.set(found->controller, !on);
+    stepper_.post([this](Commands& commands) { commands.aids_off = aids_off_; });
+    return true;
+}
+
+std::vector<std::string> Session::switched_off() const {
+    std::vector<std::string> keywords;
+    for (const Aid& aid : simulation_->aids()) {
+        if (aids_off_[aid.controller]) keywords.push_back(aid.keyword);
+    }
+    return keywords;
 }
 
 void Session::load(const LoadRequest& request, std::uint32_t page) {
@@ -92,8 +110,12 @@ void Session::build_next() {
             if (!simulation) notices_.push_back({page, problem});
             if (simulation && !next_) {
                 simulation_ = simulation;
+                aids_off_.reset();
                 changed_ = true;
-                stepper_.post([&](Commands& commands) { commands.simulation = simulation; });
+                stepper_.post([&](Commands& commands) {
+                    commands.simulation = simulation;
+                    commands.aids_off.reset();  // was for the car before
+                });
             }
             if (next_) build_next();
         };

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,8 @@ public:
     void pause(bool on);
     void set_driven(bool on);  // whether a page has control; initially none
     void set_pace(double pace);
+    // False if the car has no such aid. What is off stays off when the car is reset; a new car has all on.
+    bool switch_aid(std::string_view keyword, bool on);
     // Both are completed later; if one fails, the page gets a notice. While a car is being built, the last load request wins.
     void load(const LoadRequest& request, std::uint32_t page);
     void record(bool on, std::uint32_t page);
@@ -65,6 +68,7 @@ public:
     LiveSimulation& simulation() { return *simulation_; }  // only its constants and frames
     const Progress& progress() { return stepper_.progress(); }
     RecordingStatus recording() const;
+    std::vector<std::string> switched_off() const;  // keywords of aids
     // To be called when the wake-up event is signaled, after clearing it. True if the car was replaced.
     bool update();
     std::vector<Notice> take_notices() { return std::exchange(notices_, {}); }
@@ -87,6 +91,7 @@ private:
     WakeUp wake_up_;
     std::uint32_t cars_ = 1;  // requested so far; number of the last one
     std::shared_ptr<LiveSimulation> simulation_;
+    AidSet aids_off_;  // of that car
     std::optional<std::pair<LoadRequest, std::uint32_t>>
         next_;  // to be built after the current one, and for which page
     bool building_ = false, changed_ = false;

@@ -93,6 +93,7 @@ void Stepper::apply_commands() {
         release(std::move(recording_));  // also one that was posted together with this: it was opened earlier
     if (commands.pause) paused_by_driver_ = *commands.pause;
     if (commands.driven) driven_ = *commands.driven;
+    if (commands.aids_off) simulation_->switch_off(*commands.aids_off);
     if (commands.pace) pacer_.set_pace(*commands.pace, now());
     report();
     wake_up_.signal();

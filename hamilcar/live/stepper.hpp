@@ -31,6 +31,7 @@ struct Commands {
     std::optional<bool> pause;                   // the driver's
     std::optional<bool> driven;                  // a page has control
     std::optional<double> pace;
+    std::optional<AidSet> aids_off;
     std::shared_ptr<Recording> recording;  // released if it belongs to another car
     bool stop_recording = false;
 };

@@ -106,9 +106,10 @@ using Settings = std::map<std::string, double>;  // complete, by name, as typed
 // How a maneuver is to be run, besides its settings.
 struct ManeuverOptions {
     SolverDescription solver;
-    RoadDescription road;                    // the maneuver may put its own obstacles on it
-    bool keep_runs = true;                   // rows for replay and plots
-    std::vector<std::string> channels = {};  // of these rows, names or prefixes with '*'; empty: the default set
+    RoadDescription road;                           // the maneuver may put its own obstacles on it
+    std::vector<std::string> controllers_off = {};  // kinds that the vehicle goes without, as in a scenario
+    bool keep_runs = true;                          // rows for replay and plots
+    std::vector<std::string> channels = {};         // of these rows, names or prefixes with '*'; empty: the default set
     std::function<bool(double)> keep_going = [](double) { return true; };  // told the share done; false: stop
 };
 

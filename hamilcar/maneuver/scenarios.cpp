@@ -29,6 +29,7 @@ ScenarioDescription driving_at(const VehicleDescription& vehicle, const Maneuver
     scenario.duration = duration;
     scenario.solver = options.solver;
     scenario.road = options.road;
+    scenario.controllers_off = options.controllers_off;
     scenario.initial.velocity = {speed, 0, 0};
     scenario.driver.speed.emplace();
     scenario.driver.speed->speed = {.time = {0}, .value = {speed}, .interpolation = Interpolation::linear};

@@ -9,6 +9,7 @@
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/io/spelling.hpp"
 #include "hamilcar/run/channel_names.hpp"
+#include "hamilcar/run/control_channels.hpp"
 #include "hamilcar/run/handling_channels.hpp"
 #include "hamilcar/run/joint_channels.hpp"
 #include "hamilcar/run/motion_channels.hpp"
@@ -153,6 +154,7 @@ std::vector<Channel> all_channels(const VehicleDescription& vehicle) {
     add_handling_channels(vehicle, list);
     add_car_channels(vehicle, list);
     add_powertrain_channels(vehicle, list);
+    add_control_channels(vehicle, list);
     add_suspension_channels(vehicle, list);
     add_joint_channels(vehicle, list);
     add_motion_channels(vehicle, list);

@@ -25,7 +25,7 @@ namespace hamilcar {
 
 namespace {
 
-constexpr std::string_view heading = "hamilcar state 5";  // the number: of this layout
+constexpr std::string_view heading = "hamilcar state 6";  // the number: of this layout
 constexpr std::string_view kind = heading.substr(0, heading.size() - 1);
 
 using Word = std::array<char, 24>;
@@ -236,7 +236,10 @@ std::vector<std::string> differences(const Head& its, const Head& here) {
 }  // namespace
 
 SnapshotBounds::SnapshotBounds(const Simulation& simulation)
-    : layout(simulation.vehicle()), step(simulation.scenario().solver.step) {
+    : layout(simulation.vehicle()),
+      step(simulation.scenario().solver.step),
+      commands(simulation.vehicle()),
+      control_memory(simulation.control_memory().size()) {
     const Method& method = *find_method(simulation.scenario().solver.integrator);
     order = std::min(method.order, max_adams_order);
     is_multi_step =

@@ -37,7 +37,9 @@ struct SnapshotBounds {
     double step;                               // [s]
     double lowest_gear = 0, highest_gear = 0;  // that a driver who has begun may have chosen
     std::array<bool, static_cast<std::size_t>(EndingMemory::Reason::roll) + 1> endings{};  // by reason
-    static constexpr double steps = 1e9;                                                   // that a run may have
+    CommandLayout commands;
+    std::size_t control_memory;              // numbers that sensors and controllers remember
+    static constexpr double steps = 1e9;     // that a run may have
     static constexpr double farthest = 1e9;  // from the origin, and along a path [m]
 };
 
@@ -110,6 +112,13 @@ void visit_snapshot(SomeSnapshot& s, const SnapshotBounds& b, Visitor& v) {
         v.real("inputs.b", span.piece.b, any_finite), v.real("inputs.c", span.piece.c, any_finite);
         v.real("inputs.begin", span.begin, any_number_at_all), v.real("inputs.end", span.end, any_number_at_all);
     }
+    const std::vector<Command>& commands = b.commands.commands();
+    v.whole("commands", s.inputs.command_count,
+            {static_cast<double>(commands.size()), static_cast<double>(commands.size())});
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        v.real(commands[i].name, s.inputs.commands[i], {commands[i].min, commands[i].max});
+    }
+    for (std::size_t i = 0; i < b.control_memory; ++i) v.real("controllers' memory", s.control[i], any_finite);
     visit_driver(s.driver, (taken + 1) * b.step, b, v);
 }
 

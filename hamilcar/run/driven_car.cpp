@@ -58,14 +58,14 @@ double driven_radius(const Vehicle<double>& vehicle) {
     return radius.value(0);
 }
 
-// As it grows below the command at which valves act: that is where a driver brakes most.
-double full_brake_force(const Vehicle<double>& vehicle) {
+// As it grows below the command at which valves act or a booster reaches its limit: that is where a driver brakes most.
+double full_brake_force(const Vehicle<double>& vehicle, const BrakeSystemDescription& brakes) {
     double sum = 0;
     const auto add = [&](const auto& wheel) { sum += wheel.brake.max_torque / rolling_radius(wheel.tire); };
     for (const Suspension<double>& suspension : vehicle.suspensions) {
         for (const auto& wheel : suspension.wheels) add(wheel);
     }
-    return sum;
+    return sum * brakes.gain_below_knee();
 }
 
 void add_steering(const VehicleDescription& vehicle, const Model<double>& model, const State<double>& state,
@@ -98,7 +98,7 @@ DrivenCar driven_car(const VehicleDescription& vehicle, const Model<double>& mod
     DrivenCar car;
     car.mass = model.vehicle.total_mass;
     car.wheel_radius = driven_radius(model.vehicle);
-    car.full_brake_force = full_brake_force(model.vehicle);
+    car.full_brake_force = full_brake_force(model.vehicle, vehicle.brakes);
     add_steering(vehicle, model, state, car);
     add_power(vehicle, car);
     return car;

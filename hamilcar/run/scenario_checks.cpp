@@ -124,6 +124,11 @@ void check_driver(const ScenarioDescription& scenario, const VehicleDescription&
     if (!shifting && !gears.empty() && std::ranges::none_of(gears, above_zero)) refuse("inputs.gear", gears.front());
 }
 
+bool is_off(const ScenarioDescription& scenario, const std::string& kind) {
+    return std::ranges::any_of(scenario.controllers_off,
+                               [&](const std::string& off) { return off == "all" || off == kind; });
+}
+
 }  // namespace
 
 void check_scenario(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
@@ -137,6 +142,7 @@ void check_scenario(const ScenarioDescription& scenario, const VehicleDescriptio
 VehicleDescription as_driven(VehicleDescription vehicle, const ScenarioDescription& scenario) {
     check_scenario(scenario, vehicle);
     if (!is_powered(scenario)) vehicle.power_units.clear(), vehicle.differentials.clear();
+    std::erase_if(vehicle.controllers, [&](const ControllerDescription& one) { return is_off(scenario, one.kind); });
     return vehicle;
 }
 

@@ -11,6 +11,7 @@
 #include "hamilcar/integrator/stabilization.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/math/convert.hpp"
+#include "hamilcar/run/controlled_car.hpp"
 #include "hamilcar/run/driven_car.hpp"
 #include "hamilcar/run/scenario_checks.hpp"
 #include "hamilcar/run/starting_ground.hpp"
@@ -61,9 +62,11 @@ Simulation::Simulation(VehicleDescription vehicle, ScenarioDescription scenario)
       surface_(make_surface(scenario_.road)),
       model_(make_model(vehicle_, scenario_, surface_.get())),
       schedule_(scenario_, vehicle_.steering),
+      column_(vehicle_.steering),
       integrator_(require_method(scenario_), scenario_.solver.step, model_.vehicle.state_size,
                   scenario_.solver.tolerance),
       total_steps_(std::lround(scenario_.duration / scenario_.solver.step)) {
+    schedule_.set_commands(CommandLayout(vehicle_).rest());
     start();
 }
 
@@ -79,6 +82,7 @@ void Simulation::start() {
                                : Mat3<double>(heading * axis_rotation<double>(Vec3<double>::UnitY(), initial.pitch) *
                                               axis_rotation<double>(Vec3<double>::UnitX(), initial.roll));
     state_ = design_state(model_, foot + n * (initial.settle ? 0 : initial.height), R);
+    set_brakes(model_, input, state_);
     RackMotion<double> rack;  // closed at the straight-ahead position first, then led to the rack's start
     AssemblyResult assembly = assemble(model_, rack, state_);
     constexpr int lead_in = 10;
@@ -99,6 +103,7 @@ void Simulation::start() {
     set_velocities(model_, input, spatial<double>(vec3(initial.velocity), vec3(initial.angular_velocity)), state_);
     set_rotors(model_, input, state_);
     start_driver();
+    start_control();
     last_good_ = state_;
     const std::string problem = inspect(velocity_block(model_, state_, input).health);
     if (!problem.empty()) refuse_vehicle(vehicle_, "at the start: " + problem);
@@ -112,7 +117,7 @@ void Simulation::start_driver() {
     steps_per_decision_ = std::max(1L, std::lround(described.interval / integrator_.step()));
     described.interval = static_cast<double>(steps_per_decision_) * integrator_.step();
     try {
-        driver_.emplace(described, car_, Column(vehicle_.steering));
+        driver_.emplace(described, car_, column_);
     } catch (const std::invalid_argument& mistake) {
         reject_key(scenario_, "driver", fmt::format(": {}", mistake.what()));
     }
@@ -124,6 +129,24 @@ void Simulation::start_driver() {
     }
 }
 
+// What the sensors read before the first step is known before it.
+void Simulation::start_control() {
+    if (vehicle_.controllers.empty()) return;
+    control_ = make_control(scenario_, vehicle_, controlled_car(vehicle_, model_, car_, state_, schedule_(0)));
+    State<double> rate;
+    const auto evaluation = evaluate_rhs(model_, schedule_(0), state_, rate);
+    control_memory_.assign(control_->memory_size(), 0.0);
+    std::copy_n(evaluation.measured.begin(), MeasurementPlaces(model_.vehicle).size, control_memory_.begin());
+}
+
+void Simulation::switch_controller(std::size_t controller, bool on) {
+    std::array<double, max_commands> numbers;
+    const std::span<double> commands(numbers.data(), schedule_.commands().size());
+    std::ranges::copy(schedule_.commands(), commands.begin());
+    control_->switch_on(controller, on, control_memory_, commands);
+    schedule_.set_commands(commands);
+}
+
 void Simulation::prepare() {
     if (!program_) program_ = rhs_program(model_, default_engine());
 }
@@ -133,10 +156,14 @@ std::optional<End> Simulation::advance() {
         driver_->act(observation(), schedule_);
         if (driver_->end_reason()) return std::nullopt;  // the run ends here
     }
+    if (control_ && control_->is_due(step_count_)) {
+        let_decide(*control_, column_, {step_count_, time()}, control_memory_, schedule_);
+    }
     copy_state(state_, model_.vehicle.state_size, last_good_);
     prepare();
     const CarRhs rhs(*program_, surface_.get());
-    const Health<double> health = advance_car(rhs, integrator_, schedule_, time(), state_);
+    const Health<double> health =
+        advance_car(rhs, integrator_, schedule_, time(), state_, control_ ? control_memory_.data() : nullptr);
     const std::string problem = inspect(health);
     if (problem.empty()) {
         ++step_count_;
@@ -153,6 +180,7 @@ void Simulation::save(Snapshot& to) const {
     integrator_.save(to.memory);
     schedule_.save(to.inputs);
     if (driver_) to.driver = driver_->memory();
+    std::ranges::copy(control_memory_, to.control.begin());
 }
 
 void Simulation::restore(const Snapshot& from) {
@@ -161,6 +189,7 @@ void Simulation::restore(const Snapshot& from) {
     integrator_.restore(from.memory);
     schedule_.restore(from.inputs);
     if (driver_) driver_->restore(from.driver);
+    std::copy_n(from.control.begin(), control_memory_.size(), control_memory_.begin());
 }
 
 // Name of the first number of the state that is not finite.
@@ -219,7 +248,9 @@ std::string Simulation::travels(int number) const {
 }
 
 Sample Simulation::sample() const {
-    return sample_at(model_, state_, schedule_(time()));
+    Sample out = sample_at(model_, state_, schedule_(time()));
+    out.control = control_.get(), out.control_memory = control_memory_;
+    return out;
 }
 
 Sample sample_at(const Model<double>& model, const State<double>& state, const Input<double>& input) {

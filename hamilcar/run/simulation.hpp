@@ -12,6 +12,7 @@
 #include "hamilcar/block/equilibrium.hpp"
 #include "hamilcar/block/initial_process.hpp"
 #include "hamilcar/block/integration.hpp"
+#include "hamilcar/control/control_system.hpp"
 #include "hamilcar/driver/driver.hpp"
 #include "hamilcar/driver/observe.hpp"
 #include "hamilcar/driver/schedule.hpp"
@@ -35,6 +36,9 @@ struct Sample {
     // Found when first asked for; a sample belongs to one thread.
     mutable std::optional<VehicleJointForces> joint_forces{};
     mutable std::optional<double> rack_force{};
+    // Of a car with controllers, and what they remember.
+    const ControlSystem* control = nullptr;
+    std::span<const double> control_memory{};
 };
 
 // All of that at one state; model and state must outlive it.
@@ -47,13 +51,14 @@ struct End {
 };
 
 // A place in a run to come back to: the numbers that the rest of the run depends on. A plain copy, and one without
-// allocation; of its 40 kB saving and restoring touch only what the car and the method use.
+// allocation; of its 60 kB saving and restoring touch only what the car and the method use.
 struct Snapshot {
     long step_count = 0;
     State<double> state;
     Integrator<State<double>>::Memory memory;
     Schedule::Memory inputs;
     DriverMemory driver;
+    std::array<double, max_control_memory> control;  // of ControlSystem
     Snapshot() {}
 };
 static_assert(std::is_trivially_copyable_v<Snapshot>);
@@ -88,6 +93,8 @@ public:
     void follow(Control control, const SignalValue<double>& now) {
         schedule_.follow(control, time(), now, scenario_.solver.step);
     }
+    // What actuators are told from now on, until a controller says otherwise; as many as the car takes (vehicle/command_layout.hpp).
+    void set_commands(std::span<const double> commands) { schedule_.set_commands(commands); }
     // Calls change(schedule, driver or null) with what the car is driven by.
     template <class Change>
     void change_inputs(Change&& change) {
@@ -105,12 +112,18 @@ public:
     const VehicleDescription& vehicle() const { return vehicle_; }
     const ScenarioDescription& scenario() const { return scenario_; }
     const std::optional<Driver>& driver() const { return driver_; }
+    // Of the car's controllers, by their order in its file.
+    void switch_controller(std::size_t controller, bool on);
+    const ControlSystem* control() const { return control_.get(); }
+    const std::vector<double>& control_memory() const { return control_memory_; }
+    const Column& column() const { return column_; }
     long steps_per_decision() const { return steps_per_decision_; }
     double initial_energy_balance() const { return initial_balance_; }
 
 private:
     void start();
     void start_driver();
+    void start_control();
     std::string first_not_finite() const;
     std::string inspect(const Health<double>& health) const;
     std::string travels(int number) const;
@@ -123,6 +136,9 @@ private:
     Schedule schedule_;
     DrivenCar car_;
     std::optional<Driver> driver_;
+    std::shared_ptr<const ControlSystem> control_;  // null without controllers; a copy of a Simulation shares it
+    std::vector<double> control_memory_;
+    Column column_;
     long steps_per_decision_ = 1;
     Integrator<State<double>> integrator_;
     State<double> state_, last_good_;  // the latter before the present step

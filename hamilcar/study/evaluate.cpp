@@ -55,7 +55,10 @@ std::optional<RunResult> drive(const VehicleDescription& vehicle, const Scenario
                                const std::function<bool()>& keep_going) {
     const Maneuver& maneuver = maneuver_of(scenario);
     bool interrupted = false;
-    ManeuverOptions options{.solver = scenario.solver, .road = scenario.road, .keep_runs = false};
+    ManeuverOptions options{.solver = scenario.solver,
+                            .road = scenario.road,
+                            .controllers_off = scenario.controllers_off,
+                            .keep_runs = false};
     options.keep_going = [&](double) { return !(interrupted = interrupted || !keep_going()); };
     const Outcome outcome = maneuver.drive(vehicle, settings_of(maneuver, vehicle, scenario), options);
     if (interrupted) return std::nullopt;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "hamilcar/math/convert.hpp"
+#include "hamilcar/vehicle/build_brakes.hpp"
 #include "hamilcar/vehicle/build_powertrain.hpp"
 #include "hamilcar/vehicle/build_suspension.hpp"
 #include "hamilcar/vehicle/vehicle.hpp"
@@ -27,6 +28,8 @@ Vehicle<T>::Vehicle(const VehicleDescription& d)
     state_size = layout.size();
     add_suspensions(d, layout);
     add_powertrain(d, layout);
+    add_brakes(d, layout);
+    is_measured = d.controllers.empty() ? 0 : 1;
 }
 
 // Suspensions, then trailers, in the order of the description.
@@ -59,9 +62,20 @@ void Vehicle<T>::add_powertrain(const VehicleDescription& d, const StateLayout& 
     }
 }
 
+template <class T>
+void Vehicle<T>::add_brakes(const VehicleDescription& d, const StateLayout& layout) {
+    const CommandLayout layout_of_commands(d);
+    commands = layout_of_commands.size();
+    for (std::size_t i = 0; i < powertrain.units.size(); ++i) powertrain.units[i].command = layout_of_commands.unit(i);
+    if (!d.brakes.exists) return;
+    brakes = make_brakes<T>(d, layout_of_commands);
+    brakes.place = layout.brakes();
+}
+
 // Compiled once, in vehicle.cpp.
 extern template Vehicle<double>::Vehicle(const VehicleDescription&);
 extern template void Vehicle<double>::add_suspensions(const VehicleDescription&, const StateLayout&);
 extern template void Vehicle<double>::add_powertrain(const VehicleDescription&, const StateLayout&);
+extern template void Vehicle<double>::add_brakes(const VehicleDescription&, const StateLayout&);
 
 }  // namespace hamilcar

@@ -113,7 +113,8 @@ PowerUnit<T> make_unit(const VehicleDescription& d, const std::vector<double>& w
                      .converter = make_converter<T>({{0, 1}, {1, 1}, {0, 0}}),
                      .gears = make_gears<T>(unit, behind),
                      .loss_share = T(1 - unit.gearbox.efficiency),
-                     .output = static_cast<int>(unit.output)};
+                     .output = static_cast<int>(unit.output),
+                     .command = -1};
     out.converter.present = T(0);
     if (const auto* clutch = std::get_if<ClutchDescription>(&unit.coupling)) {
         out.capacity = T(clutch->capacity > 0 ? clutch->capacity : unlimited_torque);

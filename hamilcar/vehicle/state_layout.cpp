@@ -29,13 +29,16 @@ constexpr std::array kinds{
     StateKindInfo{StateKind::converter_torque, "-", "N m", "Momenta", "torque of the oil of a torque converter"},
     StateKindInfo{StateKind::differential_windup, "z", "rad", "Momenta", "elastic wind-up of a differential's shafts"},
     StateKindInfo{StateKind::energy_supplied, "-", "J", "Momenta", "energy from engines and motors, since the start"},
+    StateKindInfo{StateKind::control_pressure, "-", "Pa", "Momenta", "pressure that the brake pedal makes, of a unit"},
+    StateKindInfo{StateKind::brake_pressure, "-", "Pa", "Momenta", "pressure at a wheel's brake"},
+    StateKindInfo{StateKind::brake_temperature, "-", "degC", "Momenta", "temperature of a brake's disc or drum"},
 };
 
 constexpr bool in_order() {
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         if (kinds[i].kind != static_cast<StateKind>(i)) return false;
     }
-    return kinds.size() == static_cast<std::size_t>(StateKind::energy_supplied) + 1;
+    return kinds.size() == static_cast<std::size_t>(StateKind::brake_temperature) + 1;
 }
 static_assert(in_order());
 
@@ -62,6 +65,7 @@ StateLayout::StateLayout(const VehicleDescription& description) {
     for (const SuspensionDescription& suspension : description.suspensions) add_suspension(suspension);
     for (const TrailerDescription& trailer : description.trailers) add_trailer(trailer);
     add_powertrain(description);
+    add_brakes(description);
 }
 
 void StateLayout::add_chassis() {
@@ -123,6 +127,20 @@ void StateLayout::add_powertrain(const VehicleDescription& description) {
     }
     powertrain_.supplied = size();
     add(StateKind::energy_supplied, "energy_supplied");
+}
+
+void StateLayout::add_brakes(const VehicleDescription& description) {
+    brakes_ = size();
+    if (!description.brakes.exists) return;
+    add(StateKind::control_pressure, "control_pressure");
+    for (const TrailerDescription& trailer : description.trailers) {
+        add(StateKind::control_pressure, trailer.name + ".control_pressure");
+    }
+    for_each_wheel(description, [&](const SuspensionWheelDescription& wheel, std::size_t) {
+        if (wheel.brake.max_torque <= 0) return;
+        add(StateKind::brake_pressure, wheel.name + ".brake.pressure");
+        add(StateKind::brake_temperature, wheel.name + ".brake.temperature");
+    });
 }
 
 }  // namespace hamilcar

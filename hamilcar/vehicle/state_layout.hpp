@@ -6,6 +6,7 @@
 //   trailer     hitch angles, their momenta
 //   powertrain  of each power unit the rotor's momentum, wind-up, throttle and the converter's torque; the wind-up of each
 //               differential; the energy supplied
+//   brakes      where there is a brake system: the control pressure of each unit; pressure and temperature of each brake
 #pragma once
 
 #include <span>
@@ -36,6 +37,9 @@ enum class StateKind {
     converter_torque,
     differential_windup,
     energy_supplied,
+    control_pressure,
+    brake_pressure,
+    brake_temperature,
 };
 
 // What holds for all numbers of a kind.
@@ -75,6 +79,7 @@ public:
     const SuspensionPlaces& suspension(std::size_t i) const { return suspensions_[i]; }
     int trailer(std::size_t i) const { return trailers_[i]; }
     const PowertrainPlaces& powertrain() const { return powertrain_; }
+    int brakes() const { return brakes_; }  // of the first control pressure
 
 private:
     void add(StateKind kind, const std::string& name) { numbers_.push_back({kind, name}); }
@@ -83,11 +88,13 @@ private:
     void add_wheel(const SuspensionWheelDescription& wheel);
     void add_trailer(const TrailerDescription& trailer);
     void add_powertrain(const VehicleDescription& description);
+    void add_brakes(const VehicleDescription& description);
 
     std::vector<StateNumber> numbers_;
     std::vector<SuspensionPlaces> suspensions_;
     std::vector<int> trailers_;
     PowertrainPlaces powertrain_{};
+    int brakes_ = 0;
 };
 
 }  // namespace hamilcar

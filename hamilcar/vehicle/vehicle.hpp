@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "hamilcar/driveline/brake_system.hpp"
 #include "hamilcar/driveline/powertrain.hpp"
 #include "hamilcar/force/aerodynamics.hpp"
 #include "hamilcar/force/hull.hpp"
@@ -34,13 +35,17 @@ struct Vehicle {
     Aerodynamics<T> aerodynamics;
     Hull<T> hull;
     Powertrain<T> powertrain;
+    BrakeSystem<T> brakes;
     T gravity;     // [m/s^2]
     T total_mass;  // of everything [kg]
     int state_size;
+    int commands;     // that its actuators take (command_layout.hpp)
+    int is_measured;  // whether its right-hand side reports what sensors read (block/measurement.hpp)
     static constexpr auto members() {
         using V = Vehicle;
         return std::tuple(&V::chassis, &V::chassis_inertia, &V::suspensions, &V::anti_roll_bars, &V::trailers,
-                          &V::aerodynamics, &V::hull, &V::powertrain, &V::gravity, &V::total_mass, &V::state_size);
+                          &V::aerodynamics, &V::hull, &V::powertrain, &V::brakes, &V::gravity, &V::total_mass,
+                          &V::state_size, &V::commands, &V::is_measured);
     }
     std::vector<SuspensionPair<Paired<T>>> pairs;  // of neighboring suspensions, where T has pairs
     static constexpr auto derived_members() { return std::tuple(&Vehicle::pairs); }
@@ -50,6 +55,7 @@ struct Vehicle {
 
     void add_suspensions(const VehicleDescription& description, const StateLayout& layout);
     void add_powertrain(const VehicleDescription& description, const StateLayout& layout);
+    void add_brakes(const VehicleDescription& description, const StateLayout& layout);
 
     // Calls alone(index) for each single suspension and together(pair, its index) for each pair.
     template <class Alone, class Together>

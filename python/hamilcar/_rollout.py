@@ -56,6 +56,8 @@ class Rollout:
             self.vehicle, scenario, speed=speed, position=position, yaw=yaw, friction=friction, step=step,
             integrator=integrator, powered=powered, energy_balance=energy_balance,
         )
+        if "controllers_off" not in self.scenario.to_dict():  # decisions have no derivatives
+            self.scenario.update({"controllers_off": ["all"]})
         self._variation = Variation(self.vehicle, self.scenario, parameters)
         self.parameter_names = list(self._variation.nominal)
         self.parameters = np.array(list(self._variation.nominal.values()))

@@ -45,7 +45,10 @@ Driven drive(const std::string& name, const VehicleDocument& vehicle, nb::dict c
     const VehicleDescription driven = vehicle.description;
     const std::string source = vehicle.source;
     ManeuverOptions options{.keep_runs = keep_runs, .channels = channels};
-    if (scenario) options.solver = scenario->description.solver, options.road = scenario->description.road;
+    if (scenario) {
+        options.solver = scenario->description.solver, options.road = scenario->description.road;
+        options.controllers_off = scenario->description.controllers_off;
+    }
     {
         const nb::gil_scoped_release release;
         options.keep_going = [&](double) { return !interruption.asked(); };

@@ -212,7 +212,7 @@ TEST(Powertrain, PropagatesTorquesDownTheTreeAndSpeedsUp) {
     p.unit_state(0, values.data()).momentum = 0.2 * 300;
     p.unit_state(0, values.data()).windup = 0.3;
     PowertrainMomenta<double> out;
-    p.evaluate(0.5, 0, 2, Vec3<double>::Zero(), speeds, values.data(), out);
+    p.evaluate({0.5, 0, 2, nullptr}, Vec3<double>::Zero(), speeds, values.data(), out);
     const double torque = out.units[0].out;
     EXPECT_NE(torque, 0);
     EXPECT_NEAR(out.wheels[0], torque * 1.5 * 0.4 * 4 / 2, 1e-9);
@@ -237,7 +237,7 @@ TEST(Powertrain, AddsTheTorquesOfItsUnits) {
         p.unit_state(i, values.data()).windup = i == 0 ? 0.1 : 0.05;
     }
     PowertrainMomenta<double> out;
-    p.evaluate(0.5, 0, 2, Vec3<double>::Zero(), speeds, values.data(), out);
+    p.evaluate({0.5, 0, 2, nullptr}, Vec3<double>::Zero(), speeds, values.data(), out);
     EXPECT_GT(out.units[0].out, out.units[1].out + 1);
     EXPECT_NEAR(out.wheels[0], 3 * (out.units[0].out + out.units[1].out) / 2, 1e-9);
     EXPECT_NEAR(out.supplied, 300 * (out.units[0].source + out.units[1].source), 1e-9);

@@ -69,6 +69,23 @@ TEST_F(ConnectionsTest, AcceptsCommandsOnlyFromDriver) {
     EXPECT_TRUE(becomes(Pause::driver));
 }
 
+TEST_F(ConnectionsTest, SwitchesAidsForTheDriverAlone) {
+    connections.add(first), connections.add(second);
+    const char* off = R"({"type":"switch","aid":"esc","on":false})";
+    connections.receive(1, off);
+    EXPECT_THAT(first.last(), HasSubstr("This car has no 'esc'."));
+    session.load({"aided", "flat"}, 1);
+    ASSERT_TRUE(becomes_true([&] { return connections.update(), !session.simulation().aids().empty(); }));
+    connections.receive(2, off);
+    EXPECT_THAT(second.last(), HasSubstr("Page 1 has control"));
+    connections.receive(1, off);
+    connections.send_status();
+    for (const FakePage& page : {first, second}) EXPECT_THAT(page.last(), HasSubstr(R"("switched_off":["esc"])"));
+    connections.receive(1, R"({"type":"switch","aid":"esc","on":true})");
+    connections.send_status();
+    EXPECT_THAT(second.last(), HasSubstr(R"("switched_off":[])"));
+}
+
 TEST_F(ConnectionsTest, PausesUntilAnotherPageTakesControl) {
     connections.add(first), connections.add(second);
     ASSERT_TRUE(becomes(Pause::none));

@@ -28,7 +28,7 @@ std::string mistake(const std::string& message) {
 TEST(Contract, HoldsForTheGreetingTheStatusAndARefusal) {
     EXPECT_EQ(mistake(hello_message(2, test_catalog())), "");
     for (const Pause pause : {Pause::none, Pause::driver, Pause::no_driver, Pause::ended}) {
-        EXPECT_EQ(mistake(status_message({1, 2}, {.paused = pause, .ended = "why"}, {"f.nc", 1.5, 0}, 9)), "");
+        EXPECT_EQ(mistake(status_message({1, 2}, {.paused = pause, .ended = "why"}, {"f.nc", 1.5, 0}, {"abs"}, 9)), "");
     }
     EXPECT_EQ(mistake(refusal_message("no \xff")), "");
     EXPECT_NE(mistake(R"({"type":"refusal"})"), "");

@@ -57,6 +57,9 @@ TEST(ClientMessages, AreParsed) {
     EXPECT_TRUE(accepted<PauseMessage>(R"({"type":"pause","on":true})").on);
     EXPECT_EQ(accepted<PaceMessage>(R"({"type":"pace","factor":0.05})").factor, 0.05);
     EXPECT_FALSE(accepted<RecordMessage>(R"( { "on" : false, "type" : "record" } )").on);
+    const auto to_switch = accepted<SwitchMessage>(R"({"type":"switch","aid":"abs","on":true})");
+    EXPECT_EQ(to_switch.aid, "abs");
+    EXPECT_TRUE(to_switch.on);
     const LoadRequest request =
         accepted<LoadMessage>(R"({"type":"load","vehicle":"a","road":"b","friction":1.5})").request;
     EXPECT_EQ(request.vehicle, "a");
@@ -107,6 +110,8 @@ TEST(ClientMessages, RejectMissingAndUnknownFields) {
     }
     EXPECT_THAT(problem(replaced(good_input, "{", "{\"horn\":0,")), HasSubstr("unknown key 'horn'"));
     EXPECT_THAT(problem(R"({"type":"pause"})"), HasSubstr("'on': expected true or false"));
+    EXPECT_THAT(problem(R"({"type":"switch","on":true})"), HasSubstr("'aid': expected a string"));
+    EXPECT_THAT(problem(R"({"type":"switch","aid":"abs"})"), HasSubstr("'on': expected true or false"));
     EXPECT_THAT(problem(R"({"type":"fly"})"), HasSubstr("'type'"));
     EXPECT_THAT(problem(R"({})"), HasSubstr("'type'"));
 }
@@ -184,6 +189,17 @@ TEST(ServerMessages, DescribeDriveline) {
     }
 }
 
+TEST(ServerMessages, NameTheAidsButNoControllerThatIsCommandedFromOutside) {
+    VehicleDescription car = test::shipped_car();
+    EXPECT_EQ(parsed(car_message(LiveSimulation(1, {"car", "flat"}, car, test::scenario(1)))).at("aids"),
+              json::array());
+    car.controllers = {{.kind = "external"}, {.kind = "traction_control"}};
+    const json aids = parsed(car_message(LiveSimulation(1, {"car", "flat"}, car, test::scenario(1)))).at("aids");
+    ASSERT_EQ(aids.size(), 1u);
+    EXPECT_EQ(aids.at(0).at("keyword"), "traction_control");
+    EXPECT_THAT(aids.at(0).at("meaning").get<std::string>(), HasSubstr("driven wheels"));
+}
+
 TEST(ServerMessages, DescribeCourseAndResult) {
     const VehicleDescription car = test::paper_car();
     const LiveSimulation simulation(1, {"car", "gates"}, car, test::scenario(1), gates());
@@ -224,11 +240,12 @@ TEST(ServerMessages, HaveFieldsOfProtocol) {
     EXPECT_THAT(car, HasSubstr(R"("scene":{)"));
     EXPECT_THAT(hello_message(2, test_catalog()), HasSubstr(R"("vehicles":[{"course":false,"id":"car",)"));
     EXPECT_THAT(refusal_message("a \"b\" \xff"), HasSubstr(R"("message":"a \"b\" )"));
-    const std::string status = status_message({1, 2}, {.paused = Pause::ended, .ended = "why"}, {"f.nc", 1.5, 0}, 9);
-    for (const char* part :
-         {R"("driver":1)", R"("pages":2)", R"("paused":"ended")", R"("ended":"why")", R"("pace":)", R"("time":)",
-          R"("steps":)", R"("step_ms":)", R"("period_ms":)", R"("compute_us":)", R"("worst_overrun_ms":)",
-          R"("overruns":)", R"("recording":"f.nc")", R"("recorded_s":1.5)", R"("lost_rows":0)", R"("lost_frames":9)"}) {
+    const std::string status =
+        status_message({1, 2}, {.paused = Pause::ended, .ended = "why"}, {"f.nc", 1.5, 0}, {"abs", "esc"}, 9);
+    for (const char* part : {R"("driver":1)", R"("pages":2)", R"("paused":"ended")", R"("ended":"why")", R"("pace":)",
+                             R"("time":)", R"("steps":)", R"("step_ms":)", R"("period_ms":)", R"("compute_us":)",
+                             R"("worst_overrun_ms":)", R"("overruns":)", R"("recording":"f.nc")", R"("recorded_s":1.5)",
+                             R"("lost_rows":0)", R"("lost_frames":9)", R"("switched_off":["abs","esc"])"}) {
         EXPECT_THAT(status, HasSubstr(part));
     }
 }

@@ -23,16 +23,18 @@ inline TestCourse gates() {
                        .line = {{-30, 0}, {50, 0}}}};
 }
 
-// "car" is the 323i on the paper's tires, "wreck" a file that cannot be read; "waves" is an uneven road, "drop" ends a run
+// "car" is the 323i on the paper's tires, "aided" has an anti-lock system, traction control and stability control, "wreck" a file that cannot be read; "waves" is an uneven road, "drop" ends a run
 // within a second, "gates" has the lane above as a course.
 inline Catalog test_catalog() {
     return {
-        .vehicles = {{"car", "A car"}, {"wreck", "None"}},
+        .vehicles = {{"car", "A car"}, {"aided", "A car with aids"}, {"wreck", "None"}},
         .roads = {{"flat", "Flat"}, {"waves", "Waves"}, {"drop", "From 4 m"}, {"gates", "Gates", true}},
         .open =
             [](const LoadRequest& request) {
                 if (request.vehicle == "wreck") throw io::Error(io::ExitCode::bad_file, "wreck.toml: no wheels");
-                VehicleDescription car = test::paper_car();
+                VehicleDescription car = request.vehicle == "aided"
+                                             ? io::read_vehicle(test::source_path("vehicles/bmw_e90_330i.toml"))
+                                             : test::paper_car();
                 ScenarioDescription scenario = test::scenario(1);
                 if (request.road == "waves") scenario.road.waves = {{.amplitude = 0.02, .wavelength = 3}};
                 if (request.road == "drop") {

@@ -53,6 +53,7 @@ export type ChannelRole =
   | "steering_torque"
   | "drive_torque"
   | "brake"
+  | "controller_activity"
   | "rotor_speed"
   | "rotor_torque"
   | "unit_throttle"
@@ -60,6 +61,7 @@ export type ChannelRole =
   | "clutch_torque"
   | "wheel_travel"
   | "wheel_spin"
+  | "brake_pressure"
   | "vertical_force"
   | "slip_angle"
   | "longitudinal_slip"
@@ -398,6 +400,15 @@ export interface TestCourse {
   readonly line: readonly GroundPoint[];
 }
 
+// A controller that the driver may switch off. How much it intervenes is the channel of the role
+// controller_activity of this keyword.
+export interface Aid {
+  // "abs"
+  readonly keyword: string;
+  // for people: one phrase
+  readonly meaning: string;
+}
+
 // Whenever a car is put on a road, and to every page that comes later.
 export interface CarMessage {
   readonly type: "car";
@@ -416,6 +427,8 @@ export interface CarMessage {
   readonly scene: Scene;
   // null: a mere torque drives the car, and `reverse` turns it
   readonly driveline?: Driveline | null;
+  // in the order of the vehicle's file
+  readonly aids: readonly Aid[];
   // null: nothing is to be driven through
   readonly course?: TestCourse | null;
 }
@@ -469,6 +482,8 @@ export interface Status {
   readonly pace: number;
   // simulated [s]
   readonly time: number;
+  // keywords of the car's aids that are off; a new car has all of them on
+  readonly switched_off: readonly string[];
   // of the physics thread
   readonly steps: number;
   // simulated
@@ -552,6 +567,14 @@ export interface TakeMessage {
   readonly type: "take";
 }
 
+// One of the car's aids off or on again.
+export interface SwitchMessage {
+  readonly type: "switch";
+  // its keyword
+  readonly aid: string;
+  readonly on: boolean;
+}
+
 export type ClientMessage =
   | InputMessage
   | ResetMessage
@@ -559,4 +582,5 @@ export type ClientMessage =
   | PaceMessage
   | LoadMessage
   | RecordMessage
+  | SwitchMessage
   | TakeMessage;

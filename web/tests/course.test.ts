@@ -1,9 +1,9 @@
-// Gears, driveline and courses of the simulator, before a server that the test plays itself.
+// Gears, driveline, aids and courses of the simulator, before a server that the test plays itself.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import type { Browser, Page } from "playwright-core";
+import type { Browser, Locator, Page } from "playwright-core";
 import type {
-  CarMessage, Channel, ChannelRole, ClientMessage, CourseResult, Driveline, InputMessage, ServerMessage,
+  CarMessage, Channel, ChannelRole, ClientMessage, CourseResult, Driveline, InputMessage, ServerMessage, Status,
 } from "../src/contract";
 import { openBrowser, patience } from "./browser";
 import { temporaryFolder } from "./program";
@@ -36,6 +36,9 @@ const channels: readonly Channel[] = [
   channel("engine.throttle", "unit_throttle", "engine"),
   channel("engine.gear", "gear", "engine"),
   channel("engine.clutch_torque", "clutch_torque", "engine", "N m"),
+  channel("abs.activity", "controller_activity", "abs"),
+  channel("slope_help.activity", "controller_activity", "slope_help"),
+  channel("front_left.brake.pressure", "brake_pressure", "front_left", "bar"),
   channel("front_left.tire.vertical_force", "vertical_force", "front_left.tire", "N"),
   channel("front_left.tire.slip_angle", "slip_angle", "front_left.tire", "deg"),
 ];
@@ -53,13 +56,14 @@ const car: CarMessage = {
     road: { name: "level", grade: 0, bank: 0, friction: 1, uneven: false, patches: [], cones: [[5, 2]] },
   },
   driveline,
+  aids: [{ keyword: "abs", meaning: "keeps wheels from locking" }, { keyword: "slope_help", meaning: "holds it" }],
   course: {
     id: "double_lane_change", name: "ISO 3888-1", title: "Double lane change", summary: "Through the cones.",
     cones: [[5, 2], [5, -2]], boundaries: [[5, 2, 20, 2], [5, -2, 20, -2]], line: [[0, 0], [20, 0], [50, 3.5]],
   },
 };
-const status: ServerMessage = {
-  type: "status", driver: 1, pages: 1, paused: "", ended: "", pace: 1, time: 0, steps: 0, step_ms: 1, period_ms: 1,
+const status: Status = {
+  type: "status", driver: 1, pages: 1, paused: "", ended: "", pace: 1, time: 0, switched_off: [], steps: 0, step_ms: 1, period_ms: 1,
   compute_us: 10, worst_overrun_ms: 0, overruns: 0, recording: "", recorded_s: 0, lost_rows: 0, lost_frames: 0,
 };
 const hello: ServerMessage = {
@@ -102,6 +106,7 @@ const showsTexts = (page: Page, time: number) =>
   page.waitForFunction((shown) => window.hamilcar?.textsTime() === shown, time);
 
 const isInput = (message: ClientMessage): message is InputMessage => message.type === "input";
+const isSwitch = ({ type }: ClientMessage): boolean => type === "switch";
 async function wants(page: Page, server: FakeServer, key: string, selector: string, gear: number): Promise<void> {
   await page.keyboard.press(key);
   const reverse = selector === "reverse";
@@ -137,6 +142,37 @@ test("keys shift, choose and hold the clutch", async () => {
   assert.deepEqual(complaints, []);
 });
 
+const isOn = (aid: Locator) => aid.getAttribute("aria-checked");
+
+test("an aid lights while it intervenes, and a press or a key switches it", async () => {
+  const { page, server, complaints } = await open(car);
+  const abs = page.getByRole("switch", { name: "ABS" });
+  const unknown = page.getByRole("switch", { name: "slope help" }); // not one that the page knows
+  assert.deepEqual([await isOn(abs), await isOn(unknown)], ["true", "true"]);
+  server.show(car, 2, { ...still, "abs.activity": 0.25, "front_left.brake.pressure": 61.234 });
+  await showsTexts(page, 2);
+  const isLit = (aid: Locator) => aid.evaluate((lamp) => lamp.classList.contains("lit"));
+  assert.deepEqual([await isLit(abs), await isLit(unknown)], [true, false]);
+  const wheel = page.getByRole("region", { name: "Wheels" }).getByRole("row", { name: "front left" });
+  assert.equal(await wheel.getByRole("cell").last().innerText(), "61.2");
+  server.show(car, 3, still);
+  await showsTexts(page, 3);
+  assert.equal(await isLit(abs), false);
+
+  await abs.click();
+  assert.deepEqual(await server.hears("a switch", isSwitch), { type: "switch", aid: "abs", on: false });
+  assert.equal(await isOn(abs), "true"); // until the program says so
+  server.say({ ...status, switched_off: ["abs"] });
+  await page.locator("[role=switch][aria-checked=false]").waitFor();
+  assert.deepEqual([await isOn(abs), await isOn(unknown)], ["false", "true"]);
+  await page.keyboard.press("6");
+  assert.deepEqual(await server.hears("a switch", isSwitch), { type: "switch", aid: "abs", on: true });
+  await page.keyboard.press("7");
+  assert.deepEqual(await server.hears("a switch", isSwitch), { type: "switch", aid: "slope_help", on: false });
+  await page.close();
+  assert.deepEqual(complaints, []);
+});
+
 test("instruments show what the car has", async () => {
   const { page, complaints } = await open(car);
   const dashboard = page.getByRole("region", { name: "Dashboard" });
@@ -147,8 +183,10 @@ test("instruments show what the car has", async () => {
   await page.close();
 
   const { driveline: _driveline, course: _course, ...simple } = car;
-  const plain = await open({ ...simple, channels: car.channels.filter(({ name }) => /^chassis/.test(name)) });
+  const plain = await open({ ...simple, aids: [], channels: car.channels.filter(({ name }) => /^chassis/.test(name)) });
   const others = plain.page.getByRole("region", { name: "Dashboard" });
+  assert.equal(await plain.page.getByRole("group", { name: "Aids" }).isVisible(), false);
+  assert.equal(await plain.page.getByRole("columnheader", { name: "brake" }).isVisible(), false);
   for (const text of ["rpm", "steering torque"]) assert.equal(await others.getByText(text).isVisible(), false, text);
   await plain.page.keyboard.press("r");
   const sent = await plain.server.hears("reverse", (message) => isInput(message) && message.reverse);

@@ -179,6 +179,26 @@ test("nonsense and too much of it disturb nobody", async () => {
   assert.deepEqual(complaints(), []);
 });
 
+test("the driver switches an aid off, which stays off at the start; a watcher does not", async () => {
+  const other = await startDrive(folder.path, join(repository, "vehicles/bmw_e90_330i.toml"));
+  const { page, complaints } = await openPage(await browser.newContext(), other.url.href);
+  await until(page, () => window.hamilcar.role() === "driver");
+  await page.getByRole("switch", { name: "ESC" }).click();
+  await until(page, () => window.hamilcar.status()?.switched_off.join() === "esc");
+  await page.keyboard.press("Enter");
+  await newStatus(page);
+  const second = await openPage(await browser.newContext(), other.url.href);
+  await until(second.page, () => window.hamilcar.role() === "watcher");
+  await second.page.locator("[role=switch][aria-checked=false]").click(); // it is told as it is
+  await second.page.getByText("Page 1 has control").waitFor();
+  assert.deepEqual(await page.evaluate(() => window.hamilcar.status()?.switched_off), ["esc"]);
+  await page.keyboard.press("8");
+  await until(page, () => window.hamilcar.status()?.switched_off.length === 0);
+  await Promise.all([page.close(), second.page.close()]);
+  assert.equal(await other.stop(), 0);
+  assert.deepEqual([...complaints(), ...second.complaints()], []);
+});
+
 test("a lost link is told and comes back", async () => {
   const other = await startDrive(folder.path, join(repository, "vehicles/formula.toml"));
   const page = await (await browser.newContext()).newPage();

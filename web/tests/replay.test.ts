@@ -1,6 +1,6 @@
 // A page of a run: opened from the disk, without any server, it shows the numbers of the result file.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser } from "playwright-core";
@@ -57,6 +57,26 @@ test("the report of a run shows its values at a time", async () => {
     }
   }
   assert.deepEqual(complaints(), []);
+});
+
+test("where a controller has intervened its activity and the brakes' pressures are shown first", async () => {
+  const stop = [
+    'name = "stop"', `vehicle = "${join(repository, "vehicles/bmw_e90_330i.toml")}"`, "duration_s = 1.0",
+    "[initial]", "velocity_m_per_s = 10.0", "[road]", "friction = 0.3",
+    "[inputs.brake]", "time_s = [0.0, 0.1]", "command = [0.0, 1.0]",
+  ];
+  writeFileSync(join(folder.path, "stop.toml"), stop.join("\n"));
+  hamilcar(folder.path, "run", "stop.toml", "-o", "stop");
+  const shown = async (path: string): Promise<string[]> => {
+    const { page, complaints } = await openPage(browser, address(path));
+    const names = await page.$$eval("[data-channel]", (cells) => cells.map((cell) => cell.getAttribute("data-channel") ?? ""));
+    await page.close();
+    assert.deepEqual(complaints(), []);
+    return names.filter((name) => /activity$|brake\.pressure$/.test(name));
+  };
+  const wheels = ["front_left", "front_right", "rear_left", "rear_right"];
+  assert.deepEqual(await shown("stop/report.html"), ["abs.activity", ...wheels.map((wheel) => `${wheel}.brake.pressure`)]);
+  assert.deepEqual(await shown("step/report.html"), []); // a car without controllers
 });
 
 test("a replay plays, stops at its end and goes by keys", async () => {

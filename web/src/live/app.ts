@@ -2,6 +2,7 @@
 import { element } from "../dom";
 import type { CameraMode } from "../scene/camera";
 import type { Stage } from "../scene/stage";
+import { Aids } from "./aids";
 import { calibrate } from "./calibration";
 import { Controls } from "./controls";
 import { Dashboard } from "./dashboard";
@@ -32,7 +33,8 @@ export class App {
   private readonly latency = new Latency();
   private readonly metronome = new Metronome();
   private readonly identity = new Identity(() => this.send({ type: "take" }));
-  private readonly dashboard = new Dashboard(() => this.controls.nextSelector());
+  private readonly aids = new Aids((aid, on) => this.send({ type: "switch", aid, on }));
+  private readonly dashboard = new Dashboard(() => this.controls.nextSelector(), this.aids.root);
   private readonly wheels = new WheelTable();
   private readonly machine = new MachineLine();
   private readonly strip = new Strip();
@@ -118,6 +120,7 @@ export class App {
       reset: () => this.reset(),
       togglePause: () => this.send({ type: "pause", on: this.session.status?.paused !== "driver" }),
       chooseCamera: (mode) => this.chooseCamera(mode),
+      switchAid: (number) => this.aids.pressNumber(number),
       toggleMenu: () => this.toggleMenu(),
       closePanels: () => this.menu.close(),
     });
@@ -151,6 +154,7 @@ export class App {
   private carChanged(car: CarMessage, frame: LiveFrame): void {
     this.picture.setCar(car, frame);
     this.dashboard.setCar(car, frame);
+    this.aids.setCar(car, frame);
     this.wheels.setCar(car.scene, frame);
     this.strip.setCar(frame);
     this.menu.course.show(car);
@@ -165,6 +169,7 @@ export class App {
     if (status.paused !== "") this.latency.forget();
     this.machine.showStatus(status);
     this.toolbar.showStatus(status);
+    this.aids.showStatus(status);
     this.menu.showPace(status.pace);
     this.showSituation();
   }
@@ -243,6 +248,7 @@ export class App {
   private showFrame(frame: LiveFrame, now: number): void {
     const texts = this.metronome.ticks(now);
     this.dashboard.show(texts);
+    this.aids.show(frame.time);
     this.wheels.show(texts);
     if (!texts) return;
     this.strip.draw();

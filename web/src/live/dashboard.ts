@@ -44,7 +44,8 @@ export class Dashboard {
   private fullTorque = usualTorque;
   private lock = 0; // of the steering wheel, each way [deg]
 
-  constructor(nextSelector: () => void) {
+  // aids: their lamps, which stand below everything else
+  constructor(nextSelector: () => void, aids: HTMLElement) {
     this.gear = new GearSign(nextSelector);
     this.root = element(
       "section",
@@ -62,6 +63,7 @@ export class Dashboard {
       ),
       this.circle.root,
       element("dl", { class: "motion" }, this.ahead.root, this.left.root, this.yaw.root, this.roll.root),
+      aids,
     );
   }
 

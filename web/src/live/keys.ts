@@ -3,6 +3,8 @@ import { cameraModes } from "../scene/camera";
 import type { CameraMode } from "../scene/camera";
 import type { Held } from "./held";
 
+export const aidKeys: readonly string[] = ["6", "7", "8", "9"]; // behind those of the cameras
+
 // Keys that do the same stand side by side.
 export const liveKeys: readonly { readonly keys: string; readonly meaning: string }[] = [
   { keys: "↑ W", meaning: "throttle" },
@@ -15,6 +17,7 @@ export const liveKeys: readonly { readonly keys: string; readonly meaning: strin
   { keys: "Enter Backspace", meaning: "back to the start" },
   { keys: "P", meaning: "pause" },
   { keys: "1 2 3 4 5", meaning: "camera: chase, orbit, top, driver, wheel" },
+  { keys: aidKeys.join(" "), meaning: "the car's aids (ABS, ESC, ...), from the left: off and on" },
   { keys: "M", meaning: "menu" },
 ];
 
@@ -26,6 +29,7 @@ export interface KeyListener {
   nextSelector(): void;
   shift(by: 1 | -1): void;
   chooseCamera(mode: CameraMode): void;
+  switchAid(number: number): void; // from the left, counted from 0
   toggleMenu(): void;
   closePanels(): void;
 }
@@ -98,6 +102,11 @@ export class Keys {
     const camera = cameraModes.find((mode) => mode.key === key);
     if (camera) {
       this.listener.chooseCamera(camera.mode);
+      return true;
+    }
+    const aid = aidKeys.indexOf(key);
+    if (aid >= 0) {
+      this.listener.switchAid(aid);
       return true;
     }
     const commands: Readonly<Record<string, () => void>> = {

@@ -9,6 +9,7 @@ const crawl = 0.5; // slower than so the angle of slip trembles and tells nothin
 const slides = { angle: 10, slip: 0.2 } as const; // beyond the peak of most tires [deg, 1]
 const fullTravel = 0.1; // [m]
 const fullLoad = 8000; // until a wheel carries more [N]
+const fullPressure = 10; // of the brakes, until one has more [bar]
 const lifted = 1; // a wheel that carries less is in the air [N]
 
 interface TireReader {
@@ -66,12 +67,15 @@ class WheelRow {
   private readonly angle = new Figure(true);
   private readonly slip = new Figure(true);
   private readonly stroke = new Figure(true);
+  private readonly brake = new Figure(false);
+  private readonly pressure: () => number; // [bar]
 
   constructor(frame: LiveFrame, scene: Scene, wheel: Wheel) {
     const own = scene.tires.filter((tire) => tire.name.startsWith(`${wheel.name}.`));
     this.tires = own.map((tire) => tireReader(frame, tire.name));
     this.travel = frame.reader("wheel_travel", wheel.name);
-    const figures = [this.load, this.grip, this.angle, this.slip, this.stroke];
+    this.pressure = frame.reader("brake_pressure", wheel.name);
+    const figures = [this.load, this.grip, this.angle, this.slip, this.stroke, this.brake];
     const name = wheel.name.replaceAll("_", " ");
     this.root = element("tr", {}, element("th", { scope: "row" }, name), ...figures.map((one) => one.root));
   }
@@ -80,18 +84,24 @@ class WheelRow {
     return sum(this.tires.map((tire) => tire.load()));
   }
 
-  show(full: number, moves: boolean, texts: boolean, units: Units): void {
+  get pressureNow(): number {
+    return this.pressure();
+  }
+
+  show(full: Full, moves: boolean, texts: boolean, units: Units): void {
     const load = this.loadNow;
     const grip = load <= lifted ? 0 : sum(this.tires.map((tire) => tire.force())) / load;
     const angle = moves ? largest(this.tires.map((tire) => tire.angle())) : NaN;
     const slip = largest(this.tires.map((tire) => tire.slip()));
     const travel = this.travel();
     const text = (value: number, decimals: number): string | null => (texts ? figure(value, decimals) : null);
-    this.load.show(text(units.load.factor * load, 2), load / full, load < lifted);
+    this.load.show(text(units.load.factor * load, 2), load / full.load, load < lifted);
     this.grip.show(text(grip, 2), grip / 1.2, false);
     this.angle.show(text(units.angle.factor * angle, 1), -angle / (2 * slides.angle), Math.abs(angle) > slides.angle);
     this.slip.show(text(units.slip.factor * slip, 0), slip / (2 * slides.slip), Math.abs(slip) > slides.slip);
     this.stroke.show(text(units.travel.factor * travel, 0), travel / fullTravel, false);
+    const pressure = this.pressureNow;
+    this.brake.show(text(units.pressure.factor * pressure, 1), pressure / full.pressure, false);
   }
 }
 
@@ -101,10 +111,20 @@ const columns = [
   ["slip angle", "angle", "slip angle, positive where the wheel moves to its left"],
   ["slip", "slip", "longitudinal slip, drive positive"],
   ["travel", "travel", "of the wheel center against design, up positive"],
+  ["brake", "pressure", "pressure at the wheel's brake"],
 ] as const;
 
 // Of a car's channels, which have the same at all wheels.
-type Units = Readonly<Record<"load" | "angle" | "slip" | "travel", DisplayUnit>>;
+type Units = Readonly<Record<"load" | "angle" | "slip" | "travel" | "pressure", DisplayUnit>>;
+
+// What fills a bar.
+interface Full {
+  load: number; // [N]
+  pressure: number; // [bar]
+}
+
+const brakedWheel = (frame: LiveFrame, wheels: readonly Wheel[]): Wheel | undefined =>
+  wheels.find(({ name }) => frame.has("brake_pressure", name));
 
 function unitsOf(frame: LiveFrame, { wheels, tires }: Scene): Units {
   const tire = tires[0]?.name;
@@ -113,6 +133,7 @@ function unitsOf(frame: LiveFrame, { wheels, tires }: Scene): Units {
     angle: frame.display("slip_angle", tire),
     slip: frame.display("longitudinal_slip", tire),
     travel: frame.display("wheel_travel", wheels[0]?.name),
+    pressure: frame.display("brake_pressure", brakedWheel(frame, wheels)?.name),
   };
 }
 
@@ -121,7 +142,7 @@ export class WheelTable {
   private readonly body = element("tbody");
   private rows: readonly WheelRow[] = [];
   private velocity: readonly (() => number)[] = [];
-  private full = fullLoad;
+  private full: Full = { load: fullLoad, pressure: fullPressure };
   private units: Units | null = null;
   private readonly unitTexts = columns.map(() => element("small"));
 
@@ -141,7 +162,8 @@ export class WheelTable {
     );
     this.rows = order.map((wheel) => new WheelRow(frame, scene, wheel));
     this.velocity = [frame.reader("longitudinal_velocity"), frame.reader("lateral_velocity")];
-    this.full = fullLoad;
+    this.full = { load: fullLoad, pressure: fullPressure };
+    this.root.classList.toggle("without-brakes", brakedWheel(frame, scene.wheels) === undefined);
     const units = unitsOf(frame, scene);
     this.units = units;
     columns.forEach(([, which], i) => write(this.unitTexts[i]!, which === null ? "" : units[which].unit));
@@ -151,8 +173,10 @@ export class WheelTable {
   show(texts: boolean): void {
     const { units } = this;
     if (this.root.hidden || units === null) return;
-    this.full = Math.max(this.full, ...this.rows.map((row) => row.loadNow || 0));
+    const { full } = this;
+    full.load = Math.max(full.load, ...this.rows.map((row) => row.loadNow || 0));
+    full.pressure = Math.max(full.pressure, ...this.rows.map((row) => row.pressureNow || 0));
     const moves = !(Math.hypot(...this.velocity.map((read) => read())) < crawl);
-    for (const row of this.rows) row.show(this.full, moves, texts, units);
+    for (const row of this.rows) row.show(full, moves, texts, units);
   }
 }

@@ -130,12 +130,16 @@ export function dataOf(curves: readonly Curve[]): { time: Float64Array; columns:
   return { time, columns: curves.map((curve) => onto(time, curve)) };
 }
 
-// Speed, lateral acceleration, yaw rate, wheel loads: what one looks at first, where the run has it.
+// Speed, lateral acceleration, yaw rate, wheel loads: what one looks at first, where the run has it. Where a controller intervenes
+// its activity too, and the pressures that it may have acted on.
 export function firstChoice(tracks: readonly Track[]): string[] {
   const all = [...new Map(tracks.flatMap(({ run }) => run.channels.map((one) => [one.name, one]))).values()];
   const having = (wanted: ChannelRole): string[] => all.filter(({ role }) => role === wanted).map(({ name }) => name);
   const first = ["longitudinal_velocity", "lateral_acceleration", "yaw_rate"] as const;
-  const chosen = [...first.flatMap(having), ...having("vertical_force").slice(0, 8)];
+  const intervenes = (name: string): boolean => tracks.some((track) => largest(track.column(name) ?? []) > 0);
+  const controllers = having("controller_activity").filter(intervenes);
+  const pressures = controllers.length > 0 ? having("brake_pressure").slice(0, 8) : [];
+  const chosen = [...first.flatMap(having), ...having("vertical_force").slice(0, 8), ...controllers, ...pressures];
   if (chosen.length > 0) return chosen;
   return all.filter((channel) => channel.name !== "time" && !isMotion(channel)).map(({ name }) => name).slice(0, 4);
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace hamilcar::io {
+namespace hamilcar {
 
 struct KeyUnit {
     std::string_view stem;  // the key without its unit: "damping"
@@ -18,4 +18,4 @@ KeyUnit unit_of_key(std::string_view key);
 // The text followed by the unit of that key in brackets, if it has one.
 std::string with_unit(const std::string& text, std::string_view key);
 
-}  // namespace hamilcar::io
+}  // namespace hamilcar

@@ -1,11 +1,11 @@
 // Units are read off the end of a key.
-#include "hamilcar/io/key_unit.hpp"
+#include "hamilcar/base/key_unit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace hamilcar::io {
+namespace hamilcar {
 namespace {
 
 TEST(KeyUnit, IsTheEndOfTheKey) {
@@ -45,5 +45,16 @@ TEST(KeyUnit, ConvertsEngineSpeeds) {
     EXPECT_EQ(unit_of_key("pump_torque_at_2000rpm_N_m").to_si, 1);
 }
 
+TEST(KeyUnit, ConvertsThoseOfBrakes) {
+    EXPECT_DOUBLE_EQ(unit_of_key("master_cylinder_diameter_mm").to_si, 1e-3);
+    EXPECT_DOUBLE_EQ(unit_of_key("knee_pressure_bar").to_si, 1e5);
+    EXPECT_EQ(unit_of_key("pump_flow_cm3_per_s").symbol, "cm^3/s");
+    EXPECT_DOUBLE_EQ(unit_of_key("pump_flow_cm3_per_s").to_si, 1e-6);
+    EXPECT_EQ(unit_of_key("cooling_W_s_per_K_m").symbol, "W s/(K m)");
+    EXPECT_DOUBLE_EQ(unit_of_key("gain_bar_per_deg").to_si, 1e5 / (M_PI / 180));
+    EXPECT_EQ(unit_of_key("anti_roll_bar").symbol, "");
+    EXPECT_EQ(unit_of_key("rate_hz").symbol, "Hz");
+}
+
 }  // namespace
-}  // namespace hamilcar::io
+}  // namespace hamilcar

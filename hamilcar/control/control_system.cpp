@@ -1,0 +1,137 @@
+#include "hamilcar/control/control_system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace hamilcar {
+
+namespace {
+
+constexpr double period_tolerance = 1e-6;  // of a period that is a multiple of the step [1]
+
+// Steps between two decisions.
+long period_of(double rate, double step, const std::string& what) {
+    const double steps = 1 / (rate * step), whole = std::round(steps);
+    if (whole >= 1 && std::abs(steps - whole) <= period_tolerance * whole) return static_cast<long>(whole);
+    const double slower = 1 / (std::ceil(steps) * step), faster = 1 / (std::max(1.0, std::floor(steps)) * step);
+    const std::string nearest =
+        slower == faster ? fmt::format("{:g}", slower) : fmt::format("{:g} or {:g}", slower, faster);
+    throw std::invalid_argument(
+        fmt::format("{} = {:g}: expected a rate whose period is a multiple of the step of {:g} s, as {} [Hz]", what,
+                    rate, step, nearest));
+}
+
+}  // namespace
+
+ControlSystem::ControlSystem(const VehicleDescription& vehicle, const ControlledCar& car, double step)
+    : step_(step),
+      layout_(vehicle),
+      wheels_(wheel_count(vehicle)),
+      units_(vehicle.power_units.size()),
+      sensors_(sensor_groups(vehicle.sensors), vehicle.sensors.seed, step),
+      memory_size_(2 * sensors_.size() + sensors_.memory_size()) {
+    const SensorsDescription& s = vehicle.sensors;
+    const std::pair<const SensorDescription*, const char*> sorts[] = {{&s.wheel_speed, "wheel_speed"},
+                                                                      {&s.angular_rate, "angular_rate"},
+                                                                      {&s.acceleration, "acceleration"},
+                                                                      {&s.pressure, "pressure"},
+                                                                      {&s.steering_wheel, "steering_wheel"}};
+    for (const auto& [sensor, name] : sorts) {
+        if (sensor->interval > 0) period_of(1 / sensor->interval, step, fmt::format("sensors.{}.rate_hz", name));
+    }
+    for (const ControllerDescription& one : vehicle.controllers) add_controller(one, car);
+    if (!sensors_.looks_always()) {
+        look_every_ = 0;
+        for (const Entry& entry : controllers_) look_every_ = std::gcd(look_every_, entry.period);
+        look_every_ = std::max(look_every_, 1L);
+    }
+    if (memory_size_ > max_control_memory) {
+        throw std::invalid_argument(fmt::format("sensors and controllers remember {} numbers: expected {} at most",
+                                                memory_size_, max_control_memory));
+    }
+    if (layout_.size() > max_commands) {
+        throw std::invalid_argument(
+            fmt::format("actuators take {} commands: expected {} at most", layout_.size(), max_commands));
+    }
+}
+
+void ControlSystem::add_controller(const ControllerDescription& description, const ControlledCar& car) {
+    const ControllerKind* kind = find_controller_kind(description.kind);
+    if (!kind) throw std::invalid_argument("there is no kind of controller with the keyword " + description.kind);
+    const long period = period_of(description.rate, step_, fmt::format("controller[{}].rate_hz", controllers_.size()));
+    controllers_.push_back(
+        {description.kind, kind->make(ControllerSettings(*kind, description), car), period, memory_size_});
+    memory_size_ += 1 + controllers_.back().controller->memory_size();
+}
+
+// The places of MeasurementPlaces; the steering wheel behind them.
+std::vector<Sensors::Group> ControlSystem::sensor_groups(const SensorsDescription& sensors) const {
+    const std::size_t speeds = MeasurementPlaces::wheel_speed, pressures = speeds + wheels_,
+                      rotors = pressures + wheels_;
+    return {{sensors.angular_rate, MeasurementPlaces::angular_rate, 3},
+            {sensors.acceleration, MeasurementPlaces::acceleration, 3},
+            {sensors.pressure, MeasurementPlaces::control_pressure, 1},
+            {sensors.wheel_speed, speeds, wheels_},
+            {sensors.pressure, pressures, wheels_},
+            {sensors.wheel_speed, rotors, units_},
+            {sensors.steering_wheel, rotors + units_, 1}};
+}
+
+Measured ControlSystem::shown(long step, const Entry& entry, const DriverActions& driver, const double* numbers) const {
+    const double* at = numbers + sensors_.size();
+    const double* speeds = at + MeasurementPlaces::wheel_speed;
+    Measured out;
+    out.time = static_cast<double>(step) * step_, out.interval = static_cast<double>(entry.period) * step_;
+    out.steering_wheel = speeds[2 * wheels_ + units_];
+    out.brake = driver.brake, out.throttle = driver.throttle, out.gear = driver.gear;
+    std::copy_n(at + MeasurementPlaces::angular_rate, 3, out.angular_rate.begin());
+    std::copy_n(at + MeasurementPlaces::acceleration, 3, out.acceleration.begin());
+    out.control_pressure = at[MeasurementPlaces::control_pressure];
+    out.wheel_speed = {speeds, wheels_}, out.brake_pressure = {speeds + wheels_, wheels_};
+    out.rotor_speed = {speeds + 2 * wheels_, units_};
+    return out;
+}
+
+void ControlSystem::act(long step, const DriverActions& driver, std::span<double> memory,
+                        std::span<double> commands) const {
+    double* numbers = memory.data();
+    const std::size_t size = sensors_.size();
+    numbers[size - 1] = driver.steering_wheel;
+    sensors_.look(step, {numbers, size}, {numbers + 2 * size, sensors_.memory_size()}, {numbers + size, size});
+    for (const Entry& entry : controllers_) {
+        if (step % entry.period != 0 || numbers[entry.memory] != 0) continue;
+        entry.controller->decide(shown(step, entry, driver, numbers),
+                                 {numbers + entry.memory + 1, entry.controller->memory_size()},
+                                 Commands(layout_, commands));
+    }
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        const Command& limits = layout_.commands()[i];
+        commands[i] = std::clamp(commands[i], limits.min, limits.max);
+    }
+}
+
+// The others ask again for what they need at their next decisions.
+void ControlSystem::switch_on(std::size_t controller, bool on, std::span<double> memory,
+                              std::span<double> commands) const {
+    const Entry& entry = controllers_[controller];
+    if (is_on(controller, memory) == on) return;
+    std::ranges::fill(memory.subspan(entry.memory, 1 + entry.controller->memory_size()), 0.0);
+    memory[entry.memory] = on ? 0 : 1;
+    for (std::size_t i = 0; i < commands.size(); ++i) commands[i] = layout_.commands()[i].rest;
+}
+
+bool ControlSystem::is_on(std::size_t controller, std::span<const double> memory) const {
+    return memory[controllers_[controller].memory] == 0;
+}
+
+double ControlSystem::activity(std::size_t controller, std::span<const double> memory) const {
+    const Entry& entry = controllers_[controller];
+    if (memory[entry.memory] != 0) return 0;
+    return entry.controller->activity(memory.subspan(entry.memory + 1, entry.controller->memory_size()));
+}
+
+}  // namespace hamilcar

@@ -1,0 +1,70 @@
+#include "hamilcar/run/control_channels.hpp"
+
+#include "hamilcar/base/units.hpp"
+
+namespace hamilcar {
+
+namespace {
+
+constexpr double bar = 1e5;  // [Pa]
+
+void add_line_channels(const std::string& wheel, std::size_t line, std::vector<Channel>& list) {
+    const auto add = [&](const char* what, const char* unit, const char* meaning, auto read, bool standard = false) {
+        list.push_back(
+            {{wheel + what, unit, meaning}, [line, read](const auto& s) { return read(s, line); }, standard});
+    };
+    add(
+        ".brake.pressure", "bar", "at the wheel's brake",
+        [](const auto& s, std::size_t i) {
+            using T = NumberOf<decltype(s)>;
+            return T(s.model.vehicle.brakes.pressure(i, s.state.values.data()) * T(1 / bar));
+        },
+        true);
+    list.back().column.role = io::ChannelRole::brake_pressure, list.back().column.of = wheel;
+    add(".brake.temperature", "degC", "of disc or drum", [](const auto& s, std::size_t i) {
+        using T = NumberOf<decltype(s)>;
+        return T(s.model.vehicle.brakes.temperature(i, s.state.values.data()));
+    });
+    add(".brake.limit", "N m", "that the brake can hold",
+        [](const auto& s, std::size_t i) { return s.momenta.brakes.lines[i].limit; });
+    add(".brake.cooling", "W", "from disc or drum to the air", [](const auto& s, std::size_t i) {
+        const auto& brakes = s.model.vehicle.brakes;
+        return brakes.lines[i].cooling_power(brakes.temperature(i, s.state.values.data()),
+                                             s.momenta.brakes.lines[i].spin);
+    });
+}
+
+void add_brake_channels(const VehicleDescription& vehicle, std::vector<Channel>& list) {
+    if (!vehicle.brakes.exists) return;
+    list.push_back({{"brakes.control_pressure", "bar", "that the pedal makes"}, [](const auto& s) {
+                        using T = NumberOf<decltype(s)>;
+                        return T(s.model.vehicle.brakes.control(0, s.state.values.data()) * T(1 / bar));
+                    }});
+    std::size_t line = 0;
+    for_each_wheel(vehicle, [&](const SuspensionWheelDescription& wheel, std::size_t) {
+        if (wheel.brake.max_torque > 0) add_line_channels(wheel.name, line++, list);
+    });
+}
+
+}  // namespace
+
+void add_control_channels(const VehicleDescription& vehicle, std::vector<Channel>& list) {
+    add_brake_channels(vehicle, list);
+    const CommandLayout layout(vehicle);
+    for (std::size_t i = 0; i < layout.commands().size(); ++i) {
+        const Command& command = layout.commands()[i];
+        list.push_back({{"command." + command.name, command.unit, command.meaning}, [i](const auto& s) {
+                            using T = NumberOf<decltype(s)>;
+                            return T(s.input.commands[i]);
+                        }});
+    }
+    for (std::size_t i = 0; i < vehicle.controllers.size(); ++i) {
+        const std::string& kind = vehicle.controllers[i].kind;
+        list.push_back(
+            {{kind + ".activity", "1", "of that controller, 0 to 1", io::ChannelRole::controller_activity, kind},
+             [i](const Sample& s) { return s.control ? s.control->activity(i, s.control_memory) : 0; },
+             true});
+    }
+}
+
+}  // namespace hamilcar

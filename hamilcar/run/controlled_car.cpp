@@ -1,0 +1,106 @@
+#include "hamilcar/run/controlled_car.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "hamilcar/analysis/wheel_motion.hpp"
+#include "hamilcar/block/road_wheels.hpp"
+#include "hamilcar/io/error.hpp"
+
+namespace hamilcar {
+
+namespace {
+
+constexpr double some_steer = 1e-3;  // a wheel that turns less per rack is not steered [rad/m]
+
+// Of the motor vehicle about its center of mass, with everything on its suspensions as points.
+double yaw_inertia(const VehicleDescription& vehicle) {
+    double inertia = vehicle.chassis.inertia[2];
+    for (const SuspensionDescription& suspension : vehicle.suspensions) {
+        if (suspension.unit != 0) continue;
+        for (const SuspensionBodyDescription& one : suspension.bodies) {
+            const double x = one.body.center_of_mass[0] - vehicle.chassis.center_of_mass[0],
+                         y = one.body.center_of_mass[1] - vehicle.chassis.center_of_mass[1];
+            inertia += one.body.mass * (x * x + y * y) + one.body.inertia[2];
+        }
+    }
+    return inertia;
+}
+
+// Wheels that a power unit drives.
+std::vector<bool> driven_wheels(const VehicleDescription& vehicle) {
+    std::vector<bool> out(wheel_count(vehicle));
+    for (const DifferentialDescription& one : vehicle.differentials) {
+        for (const auto& output : one.outputs) {
+            if (output.wheel) out[output.number] = true;
+        }
+    }
+    return out;
+}
+
+}  // namespace
+
+ControlledCar controlled_car(const VehicleDescription& vehicle, const Model<double>& model, const DrivenCar& driven,
+                             const State<double>& state, const Input<double>& input) {
+    ControlledCar out{.mass = driven.mass,
+                      .yaw_inertia = yaw_inertia(vehicle),
+                      .wheelbase = driven.wheelbase,
+                      .center_behind = driven.center_behind,
+                      .wheels_per_angle = driven.wheels_per_angle,
+                      .full_pressure = vehicle.brakes.exists ? vehicle.brakes.full_pressure : 0,
+                      .wheels = {},
+                      .units = {}};
+    for (const PowerUnitDescription& unit : vehicle.power_units) out.units.push_back(unit.name);
+    State<double> start = state;
+    const auto velocity = velocity_block(model, start, input);
+    const auto momenta = momenta_block(model, start, input, velocity);
+    const std::vector<RoadWheel> on_road = road_wheels(model, momenta, start);
+    const std::vector<WheelMotion> motions = wheel_motions(vehicle, model, start, input.rack.displacement);
+    const std::vector<bool> is_driven = driven_wheels(vehicle);
+    for_each_wheel(vehicle, [&](const SuspensionWheelDescription& wheel, std::size_t unit) {
+        const std::size_t i = out.wheels.size();
+        const Point& center =
+            unit == 0 ? vehicle.chassis.center_of_mass : vehicle.trailers[unit - 1].chassis.center_of_mass;
+        double load = 0;
+        for (const RoadTire& tire : on_road[i].tires) load += tire.forces->tire.Fz;
+        out.wheels.push_back({.name = wheel.name,
+                              .unit = static_cast<int>(unit),
+                              .x = wheel.wheel.center[0] - center[0],
+                              .y = wheel.wheel.center[1] - center[1],
+                              .radius = rolling_radius(*on_road[i].tires[0].tire),
+                              .spin_inertia = wheel.wheel.spin_inertia,
+                              .steered = unit == 0 && std::abs(motions[i].steer[5]) > some_steer,
+                              .driven = is_driven[i],
+                              .brake_torque = wheel.brake.max_torque,
+                              .static_load = load});
+    });
+    return out;
+}
+
+std::shared_ptr<const ControlSystem> make_control(const ScenarioDescription& scenario,
+                                                  const VehicleDescription& vehicle, const ControlledCar& car) {
+    try {
+        return std::make_shared<ControlSystem>(vehicle, car, scenario.solver.step);
+    } catch (const std::invalid_argument& mistake) {
+        const std::string message = mistake.what(), key = message.substr(0, message.find(' '));
+        throw io::Error(io::ExitCode::bad_file,
+                        at_key(vehicle.places, key) + "key '" + key + "'" + message.substr(key.size()));
+    }
+}
+
+void let_decide(const ControlSystem& control, const Column& column, const StepTime& now, std::span<double> memory,
+                Schedule& schedule) {
+    const auto at = [&](Control which) { return schedule.signal(which).at(now.time).value; };
+    const DriverActions driver{.steering_wheel = column.exists() ? column.angle(at(Control::rack)) : 0,
+                               .brake = at(Control::brake),
+                               .throttle = at(Control::throttle),
+                               .gear = at(Control::gear)};
+    std::array<double, max_commands> commands;
+    const std::span<double> told(commands.data(), schedule.commands().size());
+    std::ranges::copy(schedule.commands(), told.begin());
+    control.act(now.step, driver, memory, told);
+    schedule.set_commands(told);
+}
+
+}  // namespace hamilcar
