@@ -201,8 +201,10 @@ io::ExitCode run_maneuver(const RunOptions& options) {
 }
 
 io::ExitCode run_maneuver(const ScenarioDescription& scenario, const RunOptions& options) {
-    ManeuverOptions asked{
-        .solver = scenario.solver, .road = scenario.road, .controllers_off = scenario.controllers_off};
+    ManeuverOptions asked{.solver = scenario.solver,
+                          .road = scenario.road,
+                          .controllers_off = scenario.controllers_off,
+                          .steering_mechanics = scenario.steering_mechanics};
     if (options.step) asked.solver.step = *options.step;
     const std::string& vehicle = options.vehicle.file.empty() ? scenario.vehicle : options.vehicle.file;
     return at_place(scenario, [&] {

@@ -37,7 +37,11 @@ double full_brake_force(const VehicleDescription& vehicle) {
     for_each_wheel(vehicle, [&](const auto& wheel, std::size_t) {
         force += wheel.brake.max_torque / casing_of(wheel.tire).rolling_radius;
     });
-    return force * vehicle.brakes.gain_below_knee();
+    return force;
+}
+
+double brake_force_per_command(const VehicleDescription& vehicle) {
+    return full_brake_force(vehicle) * vehicle.brakes.gain_below_knee();
 }
 
 std::vector<std::string> wheel_names(const VehicleDescription& vehicle) {

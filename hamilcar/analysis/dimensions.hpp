@@ -15,6 +15,8 @@ bool is_heavy(const VehicleDescription& vehicle);
 
 // At full command, of all brakes at the ground [N].
 double full_brake_force(const VehicleDescription& vehicle);
+// The same per pedal, where a booster still helps [N].
+double brake_force_per_command(const VehicleDescription& vehicle);
 // Of every wheel, in the vehicle's order.
 std::vector<std::string> wheel_names(const VehicleDescription& vehicle);
 // Likewise [m].

@@ -18,14 +18,14 @@ struct Energy {
 template <class T, class Height>
 void add_energy_of(const Suspension<T>& suspension, const SuspensionVelocity<T>& at,
                    const SuspensionMomenta<T>& momenta, const State<T>& state, const T& gravity, const Height& height,
-                   Energy<T>& e) {
+                   RackKind rack, Energy<T>& e) {
     for (std::size_t i = 0; i < suspension.bodies.size(); ++i) {
         const auto& [frame, body] = suspension.bodies[i];
         const Spatial<T>& motion = at.motion[frame];
         const Spatial<T> Mv = at.inertia[i] * motion;
         e.kinetic += T(0.5) * motion.dot(Mv);
         e.potential += body.mass * gravity * height(at.at.pose[frame].point(body.center));
-        e.prescribed += at.at.motion.x[frame].dot(Mv);
+        if (rack == RackKind::prescribed) e.prescribed += at.at.motion.x[frame].dot(Mv);
     }
     for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
         const SuspensionWheel<T>& wheel = suspension.wheels[i];
@@ -37,7 +37,9 @@ void add_energy_of(const Suspension<T>& suspension, const SuspensionVelocity<T>&
             e.potential +=
                 std::visit([&](const auto& tire) { return tire.potential(f.tires[k].frame.depth); }, wheel.tire);
         }
-        e.prescribed += angular(at.at.motion.x[wheel.frame]).dot(at.spin_momentum[i]);
+        if (rack == RackKind::prescribed) {
+            e.prescribed += angular(at.at.motion.x[wheel.frame]).dot(at.spin_momentum[i]);
+        }
     }
     for (std::size_t i = 0; i < suspension.springs.size(); ++i) {
         e.potential += suspension.springs[i].spring.potential(momenta.springs[i].length);
@@ -64,7 +66,8 @@ void add_suspension_energy(const Model<T>& model, const State<T>& state, const V
     for (std::size_t s = 0; s < vehicle.suspensions.size(); ++s) {
         const Suspension<T>& suspension = vehicle.suspensions[s];
         add_energy_of(suspension, velocity.suspensions[s], momenta.suspensions[s], state, vehicle.gravity,
-                      height_in(static_cast<std::size_t>(suspension.unit)), e);
+                      height_in(static_cast<std::size_t>(suspension.unit)),
+                      vehicle.steering.exists() ? RackKind::free : RackKind::prescribed, e);
     }
     const std::array<T, max_vehicle_wheels> deflection = bar_deflections(vehicle, state, velocity);
     for (const AntiRollBar<T>& bar : vehicle.anti_roll_bars) {
@@ -93,8 +96,15 @@ Energy<T> energy(const Model<T>& model, const State<T>& state, const Velocity<T>
         const T& p_e = vehicle.powertrain.unit_state(i, state.values.data()).momentum;
         e.kinetic += T(0.5) * p_e * p_e * unit.inverse_inertia;
     }
+    if (vehicle.steering.exists()) {
+        const auto steering = vehicle.steering.state(state.values.data());
+        e.kinetic += vehicle.steering.kinetic(steering, velocity.rack.rate);
+    }
     e.potential = vehicle.chassis.mass * vehicle.gravity * height(vehicle.chassis.center) +
                   vehicle.hull.potential(hull_road(model, state, velocity));
+    if (vehicle.steering.exists()) {
+        e.potential += vehicle.steering.potential(vehicle.steering.state(state.values.data()));
+    }
     e.prescribed = T(0);
     e.work = state.work();
     add_suspension_energy(model, state, velocity, momenta, e);

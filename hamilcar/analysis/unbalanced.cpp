@@ -30,7 +30,11 @@ Velocity<double> velocity_at(const Model<double>& model, const State<double>& st
 
 Unbalanced::Unbalanced(const Model<double>& model, const State<double>& state, const Input<double>& input,
                        const Velocity<double>& velocity, const Momenta<double>& momenta)
-    : vehicle_(model.vehicle), state_(state), rack_(input.rack.displacement), velocity_(velocity), momenta_(momenta) {
+    : vehicle_(model.vehicle),
+      state_(state),
+      rack_(velocity.rack.displacement),
+      velocity_(velocity),
+      momenta_(momenta) {
     const State<double> rate = rate_at(model, state, velocity, momenta);
     before_ = velocity_at(model, state, rate, input, -difference);
     after_ = velocity_at(model, state, rate, input, difference);

@@ -133,8 +133,10 @@ void Batch::let_controllers_decide(std::size_t car, long step) {
     const int lane = lane_of(car);
     if (chunk.end(lane).reason != EndReason::none) return;
     CarDriver& one = drivers_[car];
-    let_decide(*cars_[car]->control(), cars_[car]->column(), {step, chunk.time(lane)}, one.control_memory,
-               one.schedule);
+    const Vehicle<double>& vehicle = cars_[car]->model().vehicle;
+    StepTime now{step, chunk.time(lane)};
+    if (vehicle.steering.exists()) now.steering_wheel = free_steering_wheel(vehicle, chunk.state(lane));
+    let_decide(*cars_[car]->control(), cars_[car]->column(), now, one.control_memory, one.schedule);
     chunk.set_schedule(lane, one.schedule);
 }
 

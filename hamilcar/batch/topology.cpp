@@ -31,6 +31,7 @@ std::vector<int> shape(const Suspension<double>& suspension) {
         }
     };
     add(suspension.springs), add(suspension.dampers);
+    for (const auto& damper : suspension.dampers) out.push_back(damper.actuator);
     return out;
 }
 
@@ -59,9 +60,16 @@ std::vector<int> shape(const BrakeSystem<double>& brakes) {
     return out;
 }
 
+std::vector<std::size_t> shape(const SteeringSystem<double>& steering) {
+    return {steering.pinion.slope.size(), steering.assist.slope.size(), steering.assist_share.slope.size()};
+}
+
 std::string vehicle_difference(const Vehicle<double>& a, const Vehicle<double>& b) {
     if (shape(a.powertrain) != shape(b.powertrain)) return "power units or differentials";
     if (shape(a.brakes) != shape(b.brakes)) return "the brake system";
+    if (a.steering.place != b.steering.place || a.steering.has_joints != b.steering.has_joints ||
+        shape(a.steering) != shape(b.steering))
+        return "the mechanics of the steering";
     if (a.commands != b.commands || a.is_measured != b.is_measured) return "controllers";
     if (a.hull.points.size() != b.hull.points.size()) return "number of hull points";
     if (a.suspensions.size() != b.suspensions.size()) return "number of suspensions";
@@ -80,7 +88,7 @@ std::string vehicle_difference(const Vehicle<double>& a, const Vehicle<double>& 
             return fmt::format("hitch of trailer {}", i + 1);
         }
     }
-    const auto ends = [](const AntiRollBar<double>& bar) { return std::pair(bar.left, bar.right); };
+    const auto ends = [](const AntiRollBar<double>& bar) { return std::array{bar.left, bar.right, bar.actuator}; };
     if (!std::ranges::equal(a.anti_roll_bars, b.anti_roll_bars, {}, ends, ends)) return "anti-roll bars";
     return {};
 }

@@ -163,7 +163,7 @@ EquilibriumResult settle(const Model<double>& model, Input<double> input, State<
                          const std::vector<bool>& held) {
     constexpr int max_iterations = 60;
     input.drive_torque = 0;
-    set_brakes(model, input, state);
+    hold_inputs(model, input, state);
     close_loops(model, input.rack, state, 10);
     const Vec3<double> normal = ground_normal(model, input, state);
     touch_road(model, input, normal, state);

@@ -60,7 +60,7 @@ void place_chassis(const Model<double>& model, const Vec3<double>& position, con
     }
 }
 
-void set_brakes(const Model<double>& model, const Input<double>& input, State<double>& state) {
+void hold_inputs(const Model<double>& model, const Input<double>& input, State<double>& state) {
     const BrakeSystem<double>& brakes = model.vehicle.brakes;
     double* values = state.values.data();
     const double pressure = brakes.pedal_pressure.at(input.brake);
@@ -69,12 +69,24 @@ void set_brakes(const Model<double>& model, const Input<double>& input, State<do
         brakes.pressure(i, values) = brakes.lines[i].supply(pressure);
         brakes.temperature(i, values) = ambient_temperature;
     }
+    for (std::size_t i = 0; i < model.vehicle.actuators.size(); ++i) {
+        values[model.vehicle.actuator_place + static_cast<int>(i)] = model.vehicle.actuators[i].rest;
+    }
+    const SteeringSystem<double>& steering = model.vehicle.steering;
+    if (!steering.exists()) return;
+    const auto at = steering.state(values);
+    at.rack = input.rack.displacement;
+    const double pinion = steering.pinion_at(at.rack).angle;
+    at.wheel = pinion;
+    constexpr int rounds = 30;  // joints that are bent turn the column by a little: to the last bit
+    for (int i = 0; i < rounds; ++i) at.wheel += pinion - steering.lower_end(at.wheel).angle;
+    at.rack_momentum = at.wheel_momentum = at.rack_windup = at.wheel_windup = at.assist = 0;
 }
 
 State<double> design_state(const Model<double>& model, const Vec3<double>& position, const Mat3<double>& R_GC) {
     State<double> state;
     place_chassis(model, position, R_GC, state);
-    set_brakes(model, Input<double>{}, state);
+    hold_inputs(model, Input<double>{}, state);
     return state;
 }
 
@@ -100,6 +112,8 @@ Spatial<double> set_momenta(const Model<double>& model, const Velocity<double>& 
         motion.push_back(motion_to_frame<double>(velocity.trailers[i].pose, motion[tow]));
         total.push_back(vehicle.trailers[i].chassis_inertia * motion.back());
     }
+    const bool rack_is_free = vehicle.steering.exists();  // and at rest
+    double rack_momentum = 0;
     for (std::size_t s = 0; s < vehicle.suspensions.size(); ++s) {
         const Suspension<double>& suspension = vehicle.suspensions[s];
         const SuspensionVelocity<double>& at = velocity.suspensions[s];
@@ -111,9 +125,11 @@ Spatial<double> set_momenta(const Model<double>& model, const Velocity<double>& 
                 to.momentum[j] += at.at.motion.J[static_cast<std::size_t>(frame)].col(j).dot(h);  // (57)
             }
             total[unit] += h;
+            if (rack_is_free && unit == 0) rack_momentum += at.at.motion.x[static_cast<std::size_t>(frame)].dot(h);
         };
         const auto motion_of = [&](int frame) -> Spatial<double> {
-            return motion[unit] + at.at.motion.x[static_cast<std::size_t>(frame)];
+            const Spatial<double>& by_rack = at.at.motion.x[static_cast<std::size_t>(frame)];
+            return rack_is_free ? motion[unit] : Spatial<double>(motion[unit] + by_rack);
         };
         for (std::size_t i = 0; i < suspension.bodies.size(); ++i) {
             const int frame = suspension.bodies[i].frame;
@@ -128,6 +144,7 @@ Spatial<double> set_momenta(const Model<double>& model, const Velocity<double>& 
             add(wheel.frame, spatial<double>(Vec3<double>::Zero(), at.axis[i] * p_s));
         }
     }
+    if (rack_is_free) vehicle.steering.state(state.values.data()).rack_momentum = rack_momentum;
     for (std::size_t i = vehicle.trailers.size(); i-- > 0;) {
         const Trailer<double>& trailer = vehicle.trailers[i];
         const TrailerVelocity<double>& at = velocity.trailers[i];

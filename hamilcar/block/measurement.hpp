@@ -15,6 +15,8 @@ struct MeasurementPlaces {
         wheel_speed = 7        // of each against its carrier [rad/s]
     };
     int brake_pressure;  // at each wheel; 0 without a brake system [Pa]
+    int travel;          // of each wheel's center against design, up positive [m]
+    int travel_speed;    // likewise against the chassis of its unit [m/s]
     int rotor_speed;     // of each power unit [rad/s]
     int size;
 
@@ -24,12 +26,13 @@ struct MeasurementPlaces {
         for (const Suspension<T>& suspension : vehicle.suspensions)
             wheels += static_cast<int>(suspension.wheels.size());
         brake_pressure = wheel_speed + wheels;
-        rotor_speed = brake_pressure + wheels;
+        travel = brake_pressure + wheels, travel_speed = travel + wheels;
+        rotor_speed = travel_speed + wheels;
         size = rotor_speed + static_cast<int>(vehicle.powertrain.units.size());
     }
 };
 inline constexpr std::size_t max_measurements =
-    std::size_t{MeasurementPlaces::wheel_speed} + 2 * max_vehicle_wheels + std::size_t{max_power_units};
+    std::size_t{MeasurementPlaces::wheel_speed} + 4 * max_vehicle_wheels + std::size_t{max_power_units};
 
 // `to`: as many numbers as MeasurementPlaces says. The accelerometer stands at the center of mass of all that moves and shows the
 // forces of ground and air over its mass, (F - m g) / m, in the chassis's axes: at rest on level ground g upward.
@@ -50,7 +53,17 @@ void measure(const Vehicle<T>& vehicle, const State<T>& state, const Velocity<T,
     for (int i = MeasurementPlaces::wheel_speed; i < places.brake_pressure; ++i) {
         to[i] = carrier_spin(vehicle, state, velocity, i - MeasurementPlaces::wheel_speed);
     }
-    for (int i = places.brake_pressure; i < places.rotor_speed; ++i) to[i] = T(0);
+    for (const Suspension<T>& suspension : vehicle.suspensions) {
+        const auto s = static_cast<std::size_t>(&suspension - vehicle.suspensions.data());
+        const SuspensionVelocity<T>& at = velocity.suspensions[s];
+        for (std::size_t w = 0; w < suspension.wheels.size(); ++w) {
+            const int number = suspension.first_wheel + static_cast<int>(w);
+            const Spatial<T> relative = at.motion[suspension.wheels[w].frame] - unit_motion(suspension.unit, velocity);
+            to[places.travel + number] = at.center[w][2] - suspension.wheels[w].wheel.center[2];
+            to[places.travel_speed + number] = velocity_at<T>(relative, at.center[w])[2];
+        }
+    }
+    for (int i = places.brake_pressure; i < places.travel; ++i) to[i] = T(0);
     for (std::size_t i = 0; i < brakes.lines.size(); ++i) {
         to[places.brake_pressure + brakes.lines[i].wheel] = brakes.pressure(i, values);
     }

@@ -32,6 +32,9 @@ struct Input {
     T clutch{0};             // pedal, 0 released to 1 pressed
     T gear{0};               // -1 reverse, 0 neutral, 1 first, ...; in between during a shift
     T wind_x{0}, wind_y{0};  // velocity of the air, ground axes [m/s]
+    // Where the steering has a rack that moves on its own: how firmly the hands hold the steering wheel where `rack` is asked for, from 0,
+    // hands off, to 1, and the torque that they apply besides [N m].
+    T hands_hold{1}, hands_torque{0};
     // What controllers tell actuators (vehicle/command_layout.hpp), kept by who makes the input; null: all at rest.
     const T* commands = nullptr;
 };

@@ -21,6 +21,26 @@ void chassis_momenta(const Vehicle<T>& vehicle, const Surroundings<T>& world, co
     work_rate = air.power + hull.lost_power;
 }
 
+// The steering from the rack to the hands, once the suspensions' force on the rack is known.
+template <class T, class S>
+void steering_momenta(const Vehicle<T>& vehicle, const State<T>& state, const Input<T>& input,
+                      const Velocity<T, S>& velocity, Momenta<T>& out) {
+    const SteeringHands<T> hands{input.rack.displacement, input.rack.rate, input.hands_hold, input.hands_torque};
+    out.steering = vehicle.steering.evaluate(vehicle.steering.state(state.values.data()), velocity.rack.rate, hands,
+                                             linear(velocity.chassis)[0]);
+    out.work_rate += out.steering.work_rate;
+}
+
+template <class T>
+void actuator_rates(const Vehicle<T>& vehicle, const State<T>& state, const Input<T>& input, Momenta<T>& out) {
+    for (std::size_t i = 0; i < vehicle.actuators.size(); ++i) {
+        const Actuator<T>& one = vehicle.actuators[i];
+        const T target = input.commands ? input.commands[one.command] : one.rest;
+        out.actuator_rates[i] =
+            one.rate * (target - state.values[static_cast<std::size_t>(vehicle.actuator_place) + i]);
+    }
+}
+
 // Of the brake on a wheel [N m].
 template <class T>
 T brake_torque(const Vehicle<T>& vehicle, const Momenta<T>& momenta, int number) {
@@ -44,6 +64,8 @@ Momenta<T> momenta_block_of(const Model<T>& model, const State<T>& state, const 
     powertrain_momenta(vehicle, state, input, velocity, out.powertrain, shafts, out.work_rate);
     brake_limits(vehicle, state, input, velocity, out.brakes);
     suspension_momenta(model, state, input, velocity, world, shafts, out);
+    actuator_rates(vehicle, state, input, out);
+    if (vehicle.steering.exists()) steering_momenta(vehicle, state, input, velocity, out);
     brake_rates(
         vehicle.brakes, state, input, [&](int wheel) { return brake_torque(vehicle, out, wheel); }, out.brakes);
     return out;

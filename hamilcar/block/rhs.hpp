@@ -39,6 +39,20 @@ void write_suspension_rates(const Vehicle<T>& vehicle, const Velocity<T, S>& vel
     }
 }
 
+template <class T, class S>
+void write_steering_rates(const SteeringSystem<T>& steering, const Velocity<T, S>& velocity, const Momenta<T>& momenta,
+                          State<T>& rate) {
+    const auto to = steering.state(rate.values.data());
+    const typename SteeringSystem<T>::Output& from = momenta.steering;
+    to.rack = velocity.rack.rate;
+    to.rack_momentum = momenta.on_rack + from.on_rack;
+    to.wheel = from.wheel_rate;
+    to.wheel_momentum = from.on_wheel;
+    to.rack_windup = from.rack_windup_rate;
+    to.wheel_windup = from.wheel_windup_rate;
+    to.assist = from.assist_rate;
+}
+
 // The rate of every number of the state, from the two blocks' outputs.
 template <class T, class S>
 void rate_of_state(const Model<T>& model, const State<T>& state, const Velocity<T, S>& velocity,
@@ -59,6 +73,10 @@ void rate_of_state(const Model<T>& model, const State<T>& state, const Velocity<
     write_suspension_rates(model.vehicle, velocity, momenta, rate);
     if (model.vehicle.powertrain.exists()) {
         write_powertrain_rates(model.vehicle.powertrain, momenta.powertrain, rate);
+    }
+    if (model.vehicle.steering.exists()) write_steering_rates(model.vehicle.steering, velocity, momenta, rate);
+    for (std::size_t i = 0; i < model.vehicle.actuators.size(); ++i) {
+        rate.values[static_cast<std::size_t>(model.vehicle.actuator_place) + i] = momenta.actuator_rates[i];
     }
     write_brake_rates(model.vehicle.brakes, momenta.brakes, rate);
 }

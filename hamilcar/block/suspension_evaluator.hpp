@@ -27,10 +27,15 @@ struct SuspensionMomenta {
     SuspensionMomenta() {}
 };
 
+// What is computed along the motion that the rack gives: its force where it moves on its own; the work of who prescribes it; nothing
+// where no account of energy is kept.
+enum class RackKind { free, prescribed, unpaid };
+
 // What other parts of the car do to a wheel.
 template <class T>
 struct WheelLoads {
     T bar;          // of anti-roll bars along its travel [N], or their moment on its arm [N m]
+    T active;       // that part of it that an actuator makes, along its travel [N]
     T shaft;        // torque of a driveline [N m]
     T brake_limit;  // torque that its brake can hold [N m]
 };
@@ -40,8 +45,8 @@ template <class T>
 class SuspensionEvaluator {
 public:
     SuspensionEvaluator(const Suspension<T>& suspension, const SuspensionVelocity<T>& velocity, const T* values,
-                        const Input<T>& input, const Surroundings<T>& world, const UnitGround<T>& ground,
-                        bool with_work, SuspensionMomenta<T>& out)
+                        const WheelInput<T>& input, const Surroundings<T>& world, const UnitGround<T>& ground,
+                        RackKind kind, SuspensionMomenta<T>& out)
         : suspension_(suspension),
           velocity_(velocity),
           at_(velocity.at),
@@ -49,11 +54,16 @@ public:
           input_(input),
           world_(world),
           ground_(ground),
-          with_work_(with_work),
+          kind_(kind),
           out_(out),
           n_(suspension.linkage.nV()) {
-        suspension.linkage.find_rates(at_, velocity.own.V_rate, input.rack, rates_);
-        if (with_work) suspension.linkage.find_prescribed_rates(at_, rates_, input.rack, world.gain, x_rate_);
+        const RackMotion<T>& rack = input.rack;
+        suspension.linkage.find_rates(at_, velocity.own.V_rate, rack, rates_);
+        const RackMotion<T> unit{rack.displacement, T(1), T(0)};
+        if (kind != RackKind::unpaid) {
+            suspension.linkage.find_prescribed_rates(at_, rates_, kind == RackKind::free ? unit : rack, world.gain,
+                                                     x_rate_);
+        }
         external_.setZero();
         for (int j = 0; j < n_; ++j) out.momentum_rate[j] = T(0);
         for (int i = 0; i < suspension.linkage.nW(); ++i) out.W_rate[i] = rates_.q[suspension.linkage.dependent[i]];
@@ -83,19 +93,15 @@ public:
             const int number = static_cast<int>(i);
             const GroundOfWheel<T> below{ground_, {first[0] + number, first[1] + number}};
             const auto momenta = wheel_momenta(suspension_.wheels[i], moving[i], below, out_.wheels[i]);
-            add_wheel(number, moving[i], momenta, loads[i].bar);
+            add_wheel(number, moving[i], momenta, loads[i]);
         }
     }
 
-    void add_springs() {
+    // `shares`: of the dampers' forces, of those that are adjustable.
+    void add_springs(const std::array<T, max_axial_elements>& shares) {
         const auto state = suspension_.state(values_);
         const auto line_of = [&](const auto& element) {
             return suspension_.linkage.line(element.line, at_, state.independent, state.dependent);
-        };
-        const auto rate_of = [&](const LineOfAction<T>& line) {
-            T rate = line.prescribed_rate;
-            for (int j = 0; j < n_; ++j) rate += line.gradient[j] * velocity_.own.V_rate[j];
-            return rate;
         };
         for (std::size_t i = 0; i < suspension_.springs.size(); ++i) {
             const LineOfAction<T> line = line_of(suspension_.springs[i]);
@@ -105,7 +111,9 @@ public:
         for (std::size_t i = 0; i < suspension_.dampers.size(); ++i) {
             const LineOfAction<T> line = line_of(suspension_.dampers[i]);
             const T rate = rate_of(line);
-            out_.dampers[i] = {suspension_.dampers[i].damper.force(rate), line.length, rate};
+            T force = suspension_.dampers[i].damper.force(rate);
+            if (suspension_.dampers[i].actuator >= 0) force = force * shares[i];
+            out_.dampers[i] = {force, line.length, rate};
             push(out_.dampers[i].force, line);
             work_ += out_.dampers[i].force * rate;
         }
@@ -120,14 +128,28 @@ public:
                 out_.momentum_rate[j] +=
                     at_.motion.J[frame].col(j).dot(net) + rates_.motion.J[frame].col(j).dot(h_[frame]);  // (71)
             }
-            if (with_work_) work_ -= at_.motion.x[frame].dot(net) + x_rate_[frame].dot(h_[frame]);
+            if (kind_ == RackKind::unpaid) continue;
+            const T along = at_.motion.x[frame].dot(net) + x_rate_[frame].dot(h_[frame]);
+            if (kind_ == RackKind::free) {
+                driven_ += along;
+            } else {
+                work_ -= along;
+            }
         }
     }
 
     const Spatial<T>& external() const { return external_; }
     const T& work() const { return work_; }
+    // On a rack that moves on its own, in the sense of its momentum's rate [N].
+    const T& on_rack() const { return driven_; }
 
 private:
+    T rate_of(const LineOfAction<T>& line) const {
+        T rate = line.prescribed_rate * at_.pace;
+        for (int j = 0; j < n_; ++j) rate += line.gradient[j] * velocity_.own.V_rate[j];
+        return rate;
+    }
+
     MovingWheel<T> moving_wheel(int i, const WheelLoads<T>& loads) const {
         const SuspensionWheel<T>& wheel = suspension_.wheels[i];
         const auto state = suspension_.wheel_state(i, values_);
@@ -153,12 +175,12 @@ private:
         const WheelMomenta<S> both = wheel_momenta(wheels, side_by_side<S>(moving[0], moving[1], wheels.tires),
                                                    {ground, {first, first + 1}}, forces);
         for (int i = 0; i < 2; ++i) {
-            add_wheel(i, moving[i], unpack_wheel(both, forces, wheels.tires, i, out_.wheels[i]), loads[i].bar);
+            add_wheel(i, moving[i], unpack_wheel(both, forces, wheels.tires, i, out_.wheels[i]), loads[i]);
         }
     }
 
     // Adds a wheel's forces and rates to the suspension's.
-    void add_wheel(int i, const MovingWheel<T>& at, const WheelMomenta<T>& momenta, const T& bar) {
+    void add_wheel(int i, const MovingWheel<T>& at, const WheelMomenta<T>& momenta, const WheelLoads<T>& loads) {
         const SuspensionWheel<T>& wheel = suspension_.wheels[i];
         WheelForces<T>& f = out_.wheels[i];
         out_.windup_rate[i] = momenta.windup_rate;
@@ -176,12 +198,15 @@ private:
         work_ += f.drive_torque * (f.spin + turned) + f.brake_torque * f.spin;
 
         f.travel = at.center[2] - wheel.wheel.center[2];
-        f.bar = bar;
+        f.bar = loads.bar;
         f.stop = wheel.bump.force(f.travel) - wheel.rebound.force(T(-f.travel));
         LineOfAction<T> line;
         line.length = f.travel;
         suspension_.linkage.along(Vec3<T>::UnitZ(), at.center, wheel.frame, 0, at_.own, line);
-        if (wheel.bar_arm < 0) return push(f.stop + f.bar, line);
+        if (wheel.bar_arm < 0) {
+            work_ += loads.active * rate_of(line);
+            return push(f.stop + f.bar, line);
+        }
         push(f.stop, line);
         const auto state = suspension_.state(values_);
         push(f.bar, suspension_.linkage.along(wheel.bar_arm, at_, state.independent, state.dependent));
@@ -198,17 +223,21 @@ private:
 
     void push(const T& force, const LineOfAction<T>& line) {
         for (int j = 0; j < n_; ++j) out_.momentum_rate[j] += force * line.gradient[j];
-        work_ -= force * line.prescribed_rate;
+        if (kind_ == RackKind::free) {
+            driven_ += force * line.prescribed_rate;
+        } else {
+            work_ -= force * line.prescribed_rate;
+        }
     }
 
     const Suspension<T>& suspension_;
     const SuspensionVelocity<T>& velocity_;
     const LinkagePosition<T>& at_;
     const T* values_;
-    const Input<T>& input_;
+    const WheelInput<T>& input_;
     const Surroundings<T>& world_;
     const UnitGround<T>& ground_;
-    bool with_work_;
+    RackKind kind_;
     SuspensionMomenta<T>& out_;
     int n_;
     LinkageRates<T> rates_;
@@ -216,6 +245,7 @@ private:
     std::array<bool, max_frames> loaded_{};
     Spatial<T> external_;
     T work_{0};
+    T driven_{0};  // force along the motion that a rack on its own gives, per unit of its rate [N]
 };
 
 }  // namespace hamilcar

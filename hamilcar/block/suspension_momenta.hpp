@@ -24,6 +24,9 @@ struct Momenta {
     StaticVector<TrailerMomenta<T>, max_trailers> trailers;
     PowertrainMomenta<T> powertrain;  // where there is one
     BrakeMomenta<T> brakes;
+    T on_rack;                                    // of the suspensions, where the rack moves on its own [N]
+    typename SteeringSystem<T>::Output steering;  // likewise
+    std::array<T, max_commands> actuator_rates;   // of adjustable dampers and active bars [1/s]
     Momenta() {}
 };
 
@@ -46,19 +49,45 @@ std::array<T, max_vehicle_wheels> bar_deflections(const Vehicle<T>& vehicle, con
     return out;
 }
 
-// Forces of the bars on the wheels along their travel, or moments on their arms, wheel by wheel.
+// Wheel by wheel.
+template <class T>
+struct BarForces {
+    std::array<T, max_vehicle_wheels> all, active;  // active: the part that actuators make [N]
+    BarForces() {}
+};
+
+// Forces of the bars on the wheels along their travel, or moments on their arms.
 template <class T, class S>
-std::array<T, max_vehicle_wheels> anti_roll_forces(const Vehicle<T>& vehicle, const State<T>& state,
-                                                   const Velocity<T, S>& velocity) {
+BarForces<T> anti_roll_forces(const Vehicle<T>& vehicle, const State<T>& state, const Velocity<T, S>& velocity) {
     const std::array<T, max_vehicle_wheels> deflection = bar_deflections(vehicle, state, velocity);
-    std::array<T, max_vehicle_wheels> force;
-    force.fill(T(0));
+    BarForces<T> out;
+    out.all.fill(T(0)), out.active.fill(T(0));
     for (const AntiRollBar<T>& bar : vehicle.anti_roll_bars) {
-        const T pull = bar.rate * (deflection[bar.left] - deflection[bar.right]);
-        force[bar.left] -= pull;
-        force[bar.right] += pull;
+        T pull = bar.rate * (deflection[bar.left] - deflection[bar.right]);
+        if (bar.actuator >= 0) {
+            const T own = bar.max_force * state.values[static_cast<std::size_t>(vehicle.actuator_place + bar.actuator)];
+            out.active[bar.left] -= own, out.active[bar.right] += own;
+            pull += own;
+        }
+        out.all[bar.left] -= pull;
+        out.all[bar.right] += pull;
     }
-    return force;
+    return out;
+}
+
+// Shares of the dampers' forces by their settings.
+template <class T>
+std::array<T, max_axial_elements> damper_shares(const Vehicle<T>& vehicle, const Suspension<T>& suspension,
+                                                const State<T>& state) {
+    std::array<T, max_axial_elements> out;
+    for (std::size_t i = 0; i < suspension.dampers.size(); ++i) {
+        const SuspensionDamper<T>& damper = suspension.dampers[i];
+        out[i] = T(1);
+        if (damper.actuator < 0) continue;
+        const auto place = static_cast<std::size_t>(vehicle.actuator_place + damper.actuator);
+        out[i] = damper.soft + damper.growth * state.values[place];
+    }
+    return out;
 }
 
 template <class T>
@@ -126,7 +155,14 @@ void suspension_momenta(const Model<T>& model, const State<T>& state, const Inpu
         own.external = spatial<T>(own.surroundings.gravity * trailer.chassis.mass,
                                   trailer.chassis_inertia.first_moment.cross(own.surroundings.gravity));
     }
-    const std::array<T, max_vehicle_wheels> bars = anti_roll_forces(vehicle, state, velocity);
+    const WheelInput<T> told{velocity.rack, input.drive_torque};
+    const bool rack_is_free = vehicle.steering.exists();
+    const auto kind_of = [&](int unit) {
+        if (rack_is_free && unit == 0) return RackKind::free;
+        return model.energy_balance ? RackKind::prescribed : RackKind::unpaid;
+    };
+    out.on_rack = T(0);
+    const BarForces<T> bars = anti_roll_forces(vehicle, state, velocity);
     UnevenGround<T> uneven;
     const auto world_of = [&](int unit) -> const Surroundings<T>& {
         return unit == 0 ? motor_vehicle : out.trailers[static_cast<std::size_t>(unit) - 1].surroundings;
@@ -141,20 +177,21 @@ void suspension_momenta(const Model<T>& model, const State<T>& state, const Inpu
         [&](std::size_t s) {
             const Suspension<T>& suspension = vehicle.suspensions[s];
             const UnitGround<T> ground = ground_of(suspension.unit);
-            SuspensionEvaluator<T> momenta(suspension, velocity.suspensions[s], state.values.data(), input,
-                                           world_of(suspension.unit), ground, model.energy_balance,
+            SuspensionEvaluator<T> momenta(suspension, velocity.suspensions[s], state.values.data(), told,
+                                           world_of(suspension.unit), ground, kind_of(suspension.unit),
                                            out.suspensions.emplace_back());
             momenta.add_bodies();
             std::array<WheelLoads<T>, max_wheels> loads;
             for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
                 const auto wheel = static_cast<std::size_t>(suspension.first_wheel) + i;
-                loads[i] = {bars[wheel], shafts[wheel], out.brakes.limit[wheel]};
+                loads[i] = {bars.all[wheel], bars.active[wheel], shafts[wheel], out.brakes.limit[wheel]};
             }
             momenta.add_wheels({suspension.first_wheel, suspension.first_wheel}, loads);
-            momenta.add_springs();
+            momenta.add_springs(damper_shares(vehicle, suspension, state));
             momenta.finish();
             external_of(suspension.unit) += momenta.external();
             out.work_rate += momenta.work();
+            if (rack_is_free && suspension.unit == 0) out.on_rack += momenta.on_rack();
         },
         [&](const auto& pair, std::size_t number) {
             const int unit = pair.both.unit;
@@ -162,10 +199,10 @@ void suspension_momenta(const Model<T>& model, const State<T>& state, const Inpu
             const UnitGround<T> ground = ground_of(unit);
             const Surroundings<S> around = in_both<S>(world_of(unit));
             const UnitGround<S> below{around.road, ground.uneven};
-            const Input<S> inputs = in_both<S>(input);
+            const WheelInput<S> inputs = in_both<S>(told);
             SuspensionMomenta<S> both;
             SuspensionEvaluator<S> momenta(pair.both, velocity.pairs[number], numbers.data(), inputs, around, below,
-                                           model.energy_balance, both);
+                                           kind_of(unit), both);
             momenta.add_bodies();
             const auto first = static_cast<std::size_t>(pair.first);
             const std::array<int, 2> wheels{vehicle.suspensions[first].first_wheel,
@@ -175,17 +212,25 @@ void suspension_momenta(const Model<T>& model, const State<T>& state, const Inpu
             for (std::size_t i = 0; i < pair.both.wheels.size(); ++i) {
                 const auto left = static_cast<std::size_t>(wheels[0]) + i;
                 const auto right = static_cast<std::size_t>(wheels[1]) + i;
-                loads[i] = {side_by_side<S>(bars[left], bars[right]), side_by_side<S>(shafts[left], shafts[right]),
-                            side_by_side<S>(limits[left], limits[right])};
+                loads[i] = {side_by_side<S>(bars.all[left], bars.all[right]),
+                            side_by_side<S>(bars.active[left], bars.active[right]),
+                            side_by_side<S>(shafts[left], shafts[right]), side_by_side<S>(limits[left], limits[right])};
             }
             momenta.add_wheels(wheels, loads);
-            momenta.add_springs();
+            const auto shares = damper_shares(vehicle, vehicle.suspensions[first], state),
+                       of_right = damper_shares(vehicle, vehicle.suspensions[first + 1], state);
+            std::array<S, max_axial_elements> of_both;
+            for (std::size_t i = 0; i < pair.both.dampers.size(); ++i) {
+                of_both[i] = side_by_side<S>(shares[i], of_right[i]);
+            }
+            momenta.add_springs(of_both);
             momenta.finish();
             for (int l = 0; l < 2; ++l) {
                 Spatial<T> wrench;
                 unpack(momenta.external(), l, wrench);
                 external_of(unit) += wrench;
                 out.work_rate += lane(momenta.work(), l);
+                if (rack_is_free && unit == 0) out.on_rack += lane(momenta.on_rack(), l);
                 unpack_rates(both, l, out.suspensions.emplace_back());
             }
         });

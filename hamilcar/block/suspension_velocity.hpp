@@ -9,27 +9,12 @@
 // So the cost stays linear in the number of bodies.
 #pragma once
 
+#include "hamilcar/block/condensation.hpp"
 #include "hamilcar/block/condensed.hpp"
 #include "hamilcar/block/model.hpp"
 #include "hamilcar/block/static_vector.hpp"
 
 namespace hamilcar {
-
-// A suspension's own equation m V' + C^T v_u = k.
-template <class T>
-struct OwnEquation {
-    Matrix<T, 6, max_freedoms> C;
-    Matrix<T, max_freedoms, max_freedoms> m_inverse;
-    std::array<T, max_freedoms> k, V_rate;
-    OwnEquation() {}
-
-    void solve(int n, const Spatial<T>& v_u) {
-        for (int i = 0; i < n; ++i) {
-            V_rate[i] = T(0);
-            for (int j = 0; j < n; ++j) V_rate[i] += m_inverse(i, j) * (k[j] - C.col(j).dot(v_u));
-        }
-    }
-};
 
 template <class T>
 struct SuspensionVelocity {
@@ -39,14 +24,6 @@ struct SuspensionVelocity {
     OwnEquation<T> own;
     std::array<Spatial<T>, max_frames> motion;  // v_u + J V' + x
     SuspensionVelocity() {}
-};
-
-// The inertia and momentum of a unit with everything condensed onto it, in its axes about its origin.
-template <class T>
-struct CondensedUnit {
-    Matrix<T, 6, 6> K;
-    Spatial<T> b;
-    CondensedUnit() {}
 };
 
 template <class T>
@@ -66,6 +43,7 @@ struct Velocity {
     Mat3<T> R_GC;         // chassis to ground axes
     Spatial<T> momentum;  // (p ; L) in chassis axes
     Spatial<T> chassis;   // v_1
+    RackMotion<T> rack;   // as prescribed, or as it moves on its own; its acceleration only where prescribed
     StaticVector<SuspensionVelocity<T>, max_suspensions> suspensions;
     StaticVector<SuspensionVelocity<S>, has_pairs<T> ? max_suspensions / 2 : 1> pairs;
     StaticVector<TrailerVelocity<T>, max_trailers> trailers;
@@ -90,19 +68,6 @@ Spatial<T> motion_to_frame(const Pose<T>& pose, const Spatial<T>& motion) {
     return spatial<T>(pose.R.transpose() * velocity_at<T>(motion, pose.p), pose.R.transpose() * angular(motion));
 }
 
-// Eliminates a suspension's own rates: K and b of its bodies become what it adds to the unit's.
-template <class T>
-void condense(int n, const Matrix<T, max_freedoms, max_freedoms>& m, OwnEquation<T>& own, CondensedUnit<T>& out) {
-    own.m_inverse = m;
-    invert_positive_definite<T, max_freedoms>(own.m_inverse, n);
-    for (int i = 0; i < n; ++i) {
-        Spatial<T> Cm = own.C.col(0) * own.m_inverse(0, i);
-        for (int j = 1; j < n; ++j) Cm += own.C.col(j) * own.m_inverse(j, i);
-        out.K -= Cm * own.C.col(i).transpose();
-        out.b += Cm * own.k[i];
-    }
-}
-
 template <class T>
 void add_inertia(const SpatialInertia<T>& inertia, Matrix<T, 6, 6>& K) {
     Matrix<T, 6, 6> lower = Matrix<T, 6, 6>::Zero();
@@ -113,10 +78,11 @@ void add_inertia(const SpatialInertia<T>& inertia, Matrix<T, 6, 6>& K) {
     }
 }
 
-// What a suspension adds to its unit.
+// What a suspension adds to its unit; with `coupling`, x is the motion per unit of the rack's rate, which is not known yet.
 template <class T>
 CondensedUnit<T> condense_suspension(const Suspension<T>& suspension, const T* values, const RackMotion<T>& rack,
-                                     const T& gain, SuspensionVelocity<T>& out, Health<T>& health) {
+                                     const T& gain, SuspensionVelocity<T>& out, Health<T>& health,
+                                     RackCoupling<T>* coupling = nullptr) {
     const Linkage<T>& linkage = suspension.linkage;
     const auto state = suspension.state(values);
     const int n = linkage.nV();
@@ -125,10 +91,11 @@ CondensedUnit<T> condense_suspension(const Suspension<T>& suspension, const T* v
     own.K.setZero(), own.b.setZero();
     Matrix<T, max_freedoms, max_freedoms> m = Matrix<T, max_freedoms, max_freedoms>::Zero();
     out.own.C.setZero();
-    for (int j = 0; j < n; ++j) out.own.k[j] = state.momentum[j];
+    for (int j = 0; j < n; ++j) out.own.k[j] = state.momentum[j], out.own.d[j] = T(0);
     const auto add_momentum = [&](int frame, const Spatial<T>& h) {
         own.b += h;
         for (int j = 0; j < n; ++j) out.own.k[j] -= out.at.motion.J[frame].col(j).dot(h);  // (57)
+        if (coupling) coupling->momentum += out.at.motion.x[frame].dot(h);
     };
     for (std::size_t i = 0; i < suspension.bodies.size(); ++i) {
         const auto& [frame, body] = suspension.bodies[i];
@@ -142,7 +109,13 @@ CondensedUnit<T> condense_suspension(const Suspension<T>& suspension, const T* v
             out.own.C.col(j) += MJ;
             for (int k = 0; k < n; ++k) m(k, j) += J.col(k).dot(MJ);  // (59), A.5
         }
-        add_momentum(frame, out.inertia[i] * out.at.motion.x[frame]);
+        const Spatial<T> Mx = out.inertia[i] * out.at.motion.x[frame];
+        if (!coupling) {
+            add_momentum(frame, Mx);
+            continue;
+        }
+        coupling->c += Mx, coupling->inertia += out.at.motion.x[frame].dot(Mx);
+        for (int j = 0; j < n; ++j) out.own.d[j] += J.col(j).dot(Mx);
     }
     for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
         const SuspensionWheel<T>& wheel = suspension.wheels[i];
@@ -153,6 +126,7 @@ CondensedUnit<T> condense_suspension(const Suspension<T>& suspension, const T* v
         add_momentum(wheel.frame, spatial<T>(Vec3<T>::Zero(), out.spin_momentum[i]));
     }
     condense(n, m, out.own, own);
+    if (coupling) condense_rack(n, out.own.m_inverse, out.own, *coupling);
     T violation(0);
     for (int e = 0; e < linkage.nW(); ++e) violation = max(violation, abs(out.at.Phi[e]));
     health = {violation, out.at.determinant * suspension.inverse_design_determinant};
@@ -162,12 +136,19 @@ CondensedUnit<T> condense_suspension(const Suspension<T>& suspension, const T* v
 // Adds both suspensions of a pair to their unit, one after the other.
 template <class T, class S>
 void condense_pair(const SuspensionPair<S>& pair, const T* values, const RackMotion<T>& rack, const T& gain,
-                   Velocity<T, S>& out, CondensedUnit<T>& unit) {
+                   Velocity<T, S>& out, CondensedUnit<T>& unit, RackCoupling<T>* coupling) {
     const auto numbers = gather_pair(pair, values);
     Health<S> both;
     SuspensionVelocity<S>& at = out.pairs.emplace_back();
-    const CondensedUnit<S> own = condense_suspension<S>(pair.both, numbers.data(), in_both<S>(rack), S(gain), at, both);
+    RackCoupling<S> of_both;
+    const CondensedUnit<S> own = condense_suspension<S>(pair.both, numbers.data(), in_both<S>(rack), S(gain), at, both,
+                                                        coupling ? &of_both : nullptr);
     for (int l = 0; l < 2; ++l) {
+        if (coupling) {
+            RackCoupling<T> of_one{.inertia = lane(of_both.inertia, l), .momentum = lane(of_both.momentum, l)};
+            unpack(of_both.c, l, of_one.c);
+            coupling->add(of_one);
+        }
         CondensedUnit<T> one;
         unpack(own.K, l, one.K), unpack(own.b, l, one.b);
         unit.K += one.K, unit.b += one.b;
@@ -202,10 +183,10 @@ void condense_trailer(const Trailer<T>& trailer, const T* values, TrailerVelocit
     tow.K += seen.K, tow.b += seen.b;
 }
 
-// Condenses all suspensions and trailers onto the motor vehicle's chassis.
+// Condenses all suspensions and trailers onto the motor vehicle's chassis; with `coupling`, for a rack that moves on its own.
 template <class T, class S>
 CondensedUnit<T> condense_suspensions(const Model<T>& model, const State<T>& state, const RackMotion<T>& rack,
-                                      Velocity<T, S>& out) {
+                                      Velocity<T, S>& out, RackCoupling<T>* coupling) {
     const Vehicle<T>& vehicle = model.vehicle;
     CondensedUnit<T> motor_vehicle;
     motor_vehicle.K.setZero(), motor_vehicle.b.setZero();
@@ -222,13 +203,18 @@ CondensedUnit<T> condense_suspensions(const Model<T>& model, const State<T>& sta
         [&](std::size_t s) {
             const Suspension<T>& suspension = vehicle.suspensions[s];
             Health<T> health;
-            const CondensedUnit<T> own = condense_suspension(suspension, values, rack, model.stabilization_gain,
-                                                             out.suspensions.emplace_back(), health);
+            RackCoupling<T> of_one;  // summed by itself, as that of one of a pair
+            const bool couples = coupling && suspension.unit == 0;
+            const CondensedUnit<T> own =
+                condense_suspension(suspension, values, rack, model.stabilization_gain, out.suspensions.emplace_back(),
+                                    health, couples ? &of_one : nullptr);
+            if (couples) coupling->add(of_one);
             unit(suspension.unit).K += own.K, unit(suspension.unit).b += own.b;
             out.health.include(health);
         },
         [&](const auto& pair, std::size_t) {
-            condense_pair(pair, values, rack, model.stabilization_gain, out, unit(pair.both.unit));
+            condense_pair(pair, values, rack, model.stabilization_gain, out, unit(pair.both.unit),
+                          pair.both.unit == 0 ? coupling : nullptr);
         });
     for (std::size_t i = vehicle.trailers.size(); i-- > 0;) {
         condense_trailer(vehicle.trailers[i], state.values.data(), out.trailers[i], unit(vehicle.trailers[i].tow));
@@ -247,9 +233,26 @@ void move_suspension(const Suspension<T>& suspension, const Spatial<T>& v_u, Sus
     const int n = suspension.linkage.nV();
     at.own.solve(n, v_u);  // (58)
     for (int frame = 0; frame <= suspension.linkage.nq(); ++frame) {
-        at.motion[frame] = v_u + at.at.motion.x[frame];  // (18), (42)
+        at.motion[frame] = v_u + at.at.motion.x[frame] * at.at.pace;  // (18), (42)
         for (int j = 0; j < n; ++j) at.motion[frame] += at.at.motion.J[frame].col(j) * at.own.V_rate[j];
     }
+}
+
+// Once the rate of a rack that moves on its own is known: makes it a part of what suspensions know.
+template <class T, class S>
+void move_rack(const Vehicle<T>& vehicle, const T& rate, Velocity<T, S>& out) {
+    vehicle.for_each_suspension(
+        [&](std::size_t s) {
+            const Suspension<T>& suspension = vehicle.suspensions[s];
+            if (suspension.unit != 0) return;
+            out.suspensions[s].at.pace = rate;
+            out.suspensions[s].own.subtract_rack(suspension.linkage.nV(), rate);
+        },
+        [&](const auto& pair, std::size_t number) {
+            if (pair.both.unit != 0) return;
+            out.pairs[number].at.pace = S(rate);
+            out.pairs[number].own.subtract_rack(pair.both.linkage.nV(), S(rate));
+        });
 }
 
 // Once the chassis's motion is known: the rates of trailers, from front to back, and of all suspensions.

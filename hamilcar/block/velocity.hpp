@@ -21,6 +21,28 @@ Vec3<T> rotor_momenta(const Powertrain<T>& powertrain, const State<T>& state) {
     return sum;
 }
 
+// A rack that moves on its own (docs/theory/steering.md): with what the suspensions add to both equations,
+//     K v_1 + c rack' = b',   c^T v_1 + (inertia + m_rack) rack' = P_rack - momentum
+// where `out.chassis` is K^-1 b' so far.
+template <class T, class S>
+void free_rack(const Vehicle<T>& vehicle, const State<T>& state, const Matrix<T, 6, 6>& K,
+               const RackCoupling<T>& coupling, Velocity<T, S>& out) {
+    const Spatial<T> y = solve_positive_definite<T>(K, coupling.c);
+    const T inertia = vehicle.steering.rack_mass + coupling.inertia - coupling.c.dot(y);
+    const T momentum = vehicle.steering.state(state.values.data()).rack_momentum - coupling.momentum;
+    const T rate = (momentum - coupling.c.dot(out.chassis)) / inertia;
+    out.chassis -= y * rate;
+    out.rack.rate = rate;
+    move_rack(vehicle, rate, out);
+}
+
+// The rack as prescribed; one that moves on its own stands where the state says, and moves by one unit until its rate is known.
+template <class T>
+RackMotion<T> rack_of(const Vehicle<T>& vehicle, const State<T>& state, const Input<T>& input) {
+    if (!vehicle.steering.exists()) return input.rack;
+    return {vehicle.steering.state(state.values.data()).rack, T(1), T(0)};
+}
+
 // S is the scalar type for pairs of suspensions: Paired<T>, or T itself to evaluate them one after the other.
 template <class S, class T>
 Velocity<T, S> velocity_block_of(const Model<T>& model, const State<T>& state, const Input<T>& input) {
@@ -32,10 +54,14 @@ Velocity<T, S> velocity_block_of(const Model<T>& model, const State<T>& state, c
         const Spatial<T> momentum = chart.momentum(orientation, state.momentum());
         out.momentum = spatial<T>(out.R_GC.transpose() * linear(momentum), out.R_GC.transpose() * angular(momentum));
     });
-    CondensedUnit<T> rest = condense_suspensions(model, state, input.rack, out);
+    const bool rack_is_free = vehicle.steering.exists();
+    RackCoupling<T> coupling;
+    out.rack = rack_of(vehicle, state, input);
+    CondensedUnit<T> rest = condense_suspensions(model, state, out.rack, out, rack_is_free ? &coupling : nullptr);
     if (vehicle.powertrain.exists()) angular(rest.b) += rotor_momenta(vehicle.powertrain, state);
     vehicle.chassis_inertia.add_to_lower(rest.K);
     out.chassis = solve_positive_definite<T>(rest.K, Spatial<T>(out.momentum - rest.b));  // (58)
+    if (rack_is_free) free_rack(vehicle, state, rest.K, coupling, out);
     move_suspensions(vehicle, out);
     return out;
 }

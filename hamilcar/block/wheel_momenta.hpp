@@ -26,13 +26,15 @@ Surroundings<S> in_both(const Surroundings<T>& world) {
     return {in_both<S>(world.road), in_both<S>(world.gravity), in_both<S>(world.chassis), S(world.gain)};
 }
 
-// The inputs that a suspension needs.
+// What a suspension needs of the inputs, with the rack as it moves.
+template <class T>
+struct WheelInput {
+    RackMotion<T> rack;
+    T drive_torque;  // at the driven wheels together [N m]
+};
 template <class S, class T>
-Input<S> in_both(const Input<T>& input) {
-    return {{S(input.rack.displacement), S(input.rack.rate), S(input.rack.acceleration)},
-            S(input.drive_torque),
-            S(input.brake),
-            input.time};
+WheelInput<S> in_both(const WheelInput<T>& input) {
+    return {in_both<S>(input.rack), S(input.drive_torque)};
 }
 
 // For the equations and the channels.

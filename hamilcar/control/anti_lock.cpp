@@ -207,16 +207,28 @@ void AntiLock::decide(const Measured& measured, std::span<double> memory, const 
     const double front = observe(state, measured, memory), least = least_pressure * car_.full_pressure;
     const bool at_work = measured.control_pressure > least && state.reference.speed > min_speed_;
     double controlled = 0, wheels = 0;
+    const auto pressure_of = [&](const Channel& channel) {
+        double pressure = 0;
+        for (const auto wheel : channel.wheels) pressure = std::max(pressure, measured.brake_pressure[wheel]);
+        return pressure;
+    };
     for (std::size_t c = 0; c < channels_.size(); ++c) {
         auto channel = read_memory<ChannelMemory>(memory, channel_place(c));
-        double target = measured.control_pressure, pressure = 0;
-        for (const auto wheel : channels_[c].wheels) pressure = std::max(pressure, measured.brake_pressure[wheel]);
+        const bool held = !channels_[c].steered && channel.slip > front + rear_slip;
         if (at_work) {
-            advance(channel, !channels_[c].steered && channel.slip > front + rear_slip, pressure, measured);
-            if (channel.phase != rest) target = channel.target;
-            target = std::min(target, partner_limit(channels_[c], channel, pressure, measured, memory));
+            advance(channel, held, pressure_of(channels_[c]), measured);
         } else {
             channel.phase = rest, channel.alone = 0;
+        }
+        write_memory(channel, memory, channel_place(c));
+    }
+    for (std::size_t c = 0; c < channels_.size(); ++c) {  // once all know their phase: partners see each other alike
+        auto channel = read_memory<ChannelMemory>(memory, channel_place(c));
+        double target = measured.control_pressure;
+        if (at_work) {
+            if (channel.phase != rest) target = channel.target;
+            target =
+                std::min(target, partner_limit(channels_[c], channel, pressure_of(channels_[c]), measured, memory));
         }
         actuate(channels_[c], channel, target, state.probe, measured, commands);
         write_memory(channel, memory, channel_place(c));

@@ -71,12 +71,13 @@ void ControlSystem::add_controller(const ControllerDescription& description, con
 // The places of MeasurementPlaces; the steering wheel behind them.
 std::vector<Sensors::Group> ControlSystem::sensor_groups(const SensorsDescription& sensors) const {
     const std::size_t speeds = MeasurementPlaces::wheel_speed, pressures = speeds + wheels_,
-                      rotors = pressures + wheels_;
+                      travels = pressures + wheels_, rotors = travels + 2 * wheels_;
     return {{sensors.angular_rate, MeasurementPlaces::angular_rate, 3},
             {sensors.acceleration, MeasurementPlaces::acceleration, 3},
             {sensors.pressure, MeasurementPlaces::control_pressure, 1},
             {sensors.wheel_speed, speeds, wheels_},
             {sensors.pressure, pressures, wheels_},
+            {SensorDescription{}, travels, 2 * wheels_},
             {sensors.wheel_speed, rotors, units_},
             {sensors.steering_wheel, rotors + units_, 1}};
 }
@@ -86,13 +87,14 @@ Measured ControlSystem::shown(long step, const Entry& entry, const DriverActions
     const double* speeds = at + MeasurementPlaces::wheel_speed;
     Measured out;
     out.time = static_cast<double>(step) * step_, out.interval = static_cast<double>(entry.period) * step_;
-    out.steering_wheel = speeds[2 * wheels_ + units_];
+    out.steering_wheel = speeds[4 * wheels_ + units_];
     out.brake = driver.brake, out.throttle = driver.throttle, out.gear = driver.gear;
     std::copy_n(at + MeasurementPlaces::angular_rate, 3, out.angular_rate.begin());
     std::copy_n(at + MeasurementPlaces::acceleration, 3, out.acceleration.begin());
     out.control_pressure = at[MeasurementPlaces::control_pressure];
     out.wheel_speed = {speeds, wheels_}, out.brake_pressure = {speeds + wheels_, wheels_};
-    out.rotor_speed = {speeds + 2 * wheels_, units_};
+    out.travel = {speeds + 2 * wheels_, wheels_}, out.travel_speed = {speeds + 3 * wheels_, wheels_};
+    out.rotor_speed = {speeds + 4 * wheels_, units_};
     return out;
 }
 

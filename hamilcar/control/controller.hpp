@@ -29,7 +29,13 @@ struct ControlledWheel {
     bool steered = false;     // by the steering wheel
     bool driven = false;      // by a power unit
     double brake_torque = 0;  // at `full_pressure`; 0: no brake [N m]
-    double static_load = 0;   // at rest on level ground [N]
+    double damper_soft = 1, damper_firm = 1;  // shares of its damper's force, alike where it is not adjustable [1]
+    double static_load = 0;                   // at rest on level ground [N]
+};
+
+struct ControlledBar {
+    std::size_t left = 0, right = 0;  // wheels
+    double max_force = 0;             // on each of them at a command of 1; 0: it is not active [N]
 };
 
 struct ControlledCar {
@@ -40,6 +46,7 @@ struct ControlledCar {
     double wheels_per_angle = 0;  // turn of the steered wheels per turn of the steering wheel; 0: no steering [1]
     double full_pressure = 0;     // of the brakes at full pedal; 0: no brake system [Pa]
     std::vector<ControlledWheel> wheels;  // in the vehicle's order
+    std::vector<ControlledBar> bars;      // anti-roll bars
     std::vector<std::string> units;       // power units
 };
 
@@ -58,6 +65,8 @@ struct Measured {
     std::span<const double>
         wheel_speed;  // of each, about its axis against its carrier; rolling forward positive [rad/s]
     std::span<const double> brake_pressure;  // at each wheel [Pa]
+    std::span<const double> travel;          // of each wheel's center against design, up positive [m]
+    std::span<const double> travel_speed;    // likewise [m/s]
     std::span<const double> rotor_speed;     // of each power unit [rad/s]
 };
 
@@ -85,6 +94,12 @@ public:
     // Limits of a power unit's throttle.
     double& max_throttle(std::size_t unit) const { return at(layout_->unit(unit) + UnitCommand::max_throttle); }
     double& min_throttle(std::size_t unit) const { return at(layout_->unit(unit) + UnitCommand::min_throttle); }
+    // Of a wheel's adjustable damper, 0 soft to 1 firm.
+    bool has_damper(std::size_t wheel) const { return layout_->damper(wheel) >= 0; }
+    double& damper(std::size_t wheel) const { return at(layout_->damper(wheel)); }
+    // Of an active anti-roll bar, by its number in ControlledCar: -1 to 1, positive pushes the left wheel down.
+    bool has_bar(std::size_t bar) const { return layout_->bar(bar) >= 0; }
+    double& bar(std::size_t bar) const { return at(layout_->bar(bar)); }
     // Any, by its index in the layout.
     double& at(int index) const { return values_[static_cast<std::size_t>(index)]; }
 

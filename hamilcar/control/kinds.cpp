@@ -13,7 +13,8 @@ namespace {
 
 // Pointers to entries stay as the list grows.
 std::deque<ControllerKind>& list() {
-    static std::deque<ControllerKind> all{external_control(), anti_lock(), traction_control(), stability_control()};
+    static std::deque<ControllerKind> all{external_control(),  anti_lock(),        traction_control(),
+                                          stability_control(), active_anti_roll(), skyhook()};
     return all;
 }
 

@@ -9,6 +9,8 @@ ControllerKind external_control();   // external.cpp
 ControllerKind anti_lock();          // anti_lock.cpp
 ControllerKind traction_control();   // traction_control.cpp
 ControllerKind stability_control();  // stability_control.cpp
+ControllerKind active_anti_roll();   // active_anti_roll.cpp
+ControllerKind skyhook();            // skyhook.cpp
 
 // All kinds, in the order of the list above, then those that were added.
 std::vector<const ControllerKind*> controller_kinds();

@@ -63,20 +63,30 @@ struct ScenarioDescription {
     InitialDescription initial;
     RoadDescription road;
     SteeringInput steering_input = SteeringInput::none;
-    SignalDescription steering;        // steering wheel angle [rad] or rack displacement [m]
-    SignalDescription drive;           // torque at the driven wheels together [N m]
-    SignalDescription brake;           // pedal command, 0 to 1 [1]
-    SignalDescription throttle;        // pedal of the power units, 0 to 1 [1]
-    SignalDescription clutch;          // pedal, 0 released to 1 pressed [1]
-    SignalDescription gear;            // -1 reverse, 0 neutral, 1 first, ... [1]
-    SignalDescription wind_x, wind_y;  // velocity of the air, ground axes [m/s]
-    DriverDescription driver;          // acts where inputs are not given
-    std::vector<std::string> controllers_off;  // kinds of the vehicle's controllers that are not there; "all": every one
-    ManeuverDescription maneuver;      // drives instead of inputs and driver
+    SignalDescription steering;         // steering wheel angle [rad] or rack displacement [m]
+    SignalDescription hands;            // how firmly they hold the steering wheel, 0 off to 1 [1]
+    SignalDescription steering_torque;  // of the hands besides [N m]
+    bool steering_mechanics = false;    // the rack moves on its own, as the vehicle's steering makes it
+    SignalDescription drive;            // torque at the driven wheels together [N m]
+    SignalDescription brake;            // pedal command, 0 to 1 [1]
+    SignalDescription throttle;         // pedal of the power units, 0 to 1 [1]
+    SignalDescription clutch;           // pedal, 0 released to 1 pressed [1]
+    SignalDescription gear;             // -1 reverse, 0 neutral, 1 first, ... [1]
+    SignalDescription wind_x, wind_y;   // velocity of the air, ground axes [m/s]
+    DriverDescription driver;           // acts where inputs are not given
+    std::vector<std::string>
+        controllers_off;           // kinds of the vehicle's controllers that are not there; "all": every one
+    ManeuverDescription maneuver;  // drives instead of inputs and driver
     OutputDescription output;
     std::vector<std::array<double, 2>> cones;  // that mark a course; nothing feels them: x, y on the ground [m]
     std::shared_ptr<const Places> places;      // of its keys; none where no file was read
 };
+
+// Whether the rack moves on its own: where somebody asks for the mechanics of the steering, or uses its torque or takes the hands off.
+// In all other runs the rack is prescribed.
+inline bool has_free_rack(const ScenarioDescription& scenario) {
+    return scenario.steering_mechanics || !scenario.hands.time.empty() || !scenario.steering_torque.time.empty();
+}
 
 // Whether the vehicle's power units run: where somebody uses pedal and gears. In all other runs a torque at the wheels stands
 // for them, and rotors are a part of the chassis.

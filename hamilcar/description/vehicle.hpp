@@ -17,6 +17,7 @@
 #include "hamilcar/description/linkage.hpp"
 #include "hamilcar/description/places.hpp"
 #include "hamilcar/description/powertrain.hpp"
+#include "hamilcar/description/steering.hpp"
 #include "hamilcar/description/tire.hpp"
 
 namespace hamilcar {
@@ -52,6 +53,10 @@ struct SpringDescription {
 struct DamperDescription {
     std::vector<double> velocity;  // [m/s], positive in rebound (extension)
     std::vector<double> force;     // [N], positive opposes extension
+    // Adjustable where firm > soft: between these shares of the force, by a command from 0 to 1 that it follows with a lag.
+    double soft = 1, firm = 1;
+    double response_time = 0.01;  // [s]
+    bool is_adjustable() const { return firm > soft; }
 };
 
 // Stops act on wheel travel (wheel center, vehicle z, relative to design): F = rate x + progression x^2 beyond the gap.
@@ -138,6 +143,9 @@ struct SuspensionDescription {
 struct AntiRollBarDescription {
     std::size_t left = 0, right = 0;
     double rate = 0;  // of the difference of travels [N/m], or of the arms' angles [N m/rad]
+    // Active where above zero: what pushes the left wheel down and the right one up besides, at a command of 1; it follows with a lag.
+    double max_force = 0;         // [N]
+    double response_time = 0.03;  // [s]
 };
 
 // ball: yaw, roll and pitch; fifth_wheel: its plate pitches on what pulls, the trailer yaws on the plate, roll is passed on.
@@ -201,6 +209,10 @@ struct SteeringDescription {
     // A ratio that varies: angles of the steering wheel from 0 on, and the rack there; mirrored to the other side. Empty: the
     // ratio above everywhere.
     std::vector<double> angle, rack;  // [rad], [m]
+    std::optional<SteeringMechanicsDescription> mechanics;
+    // By a scenario: the mechanics are there. Otherwise the rack is prescribed.
+    bool is_free = false;
+    bool moves_on_its_own() const { return is_free && mechanics.has_value(); }
 };
 
 struct VehicleDescription {

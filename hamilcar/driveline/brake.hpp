@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "hamilcar/description/vehicle.hpp"
-#include "hamilcar/driveline/dry_friction.hpp"
+#include "hamilcar/force/dry_friction.hpp"
 
 namespace hamilcar {
 

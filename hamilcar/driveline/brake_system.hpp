@@ -14,7 +14,7 @@
 #include "hamilcar/base/assert.hpp"
 #include "hamilcar/description/vehicle.hpp"
 #include "hamilcar/driveline/commands.hpp"
-#include "hamilcar/driveline/curve.hpp"
+#include "hamilcar/math/curve.hpp"
 
 namespace hamilcar {
 

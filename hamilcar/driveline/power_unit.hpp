@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "hamilcar/driveline/commands.hpp"
-#include "hamilcar/driveline/dry_friction.hpp"
 #include "hamilcar/driveline/source.hpp"
+#include "hamilcar/force/dry_friction.hpp"
 #include "hamilcar/math/spatial.hpp"
 #include "hamilcar/scalar/dispatch.hpp"
 

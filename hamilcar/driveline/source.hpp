@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hamilcar/description/powertrain.hpp"
-#include "hamilcar/driveline/curve.hpp"
+#include "hamilcar/math/curve.hpp"
 #include "hamilcar/scalar/dispatch.hpp"
 
 namespace hamilcar {

@@ -47,6 +47,12 @@ DirectControls::DirectControls(const VehicleDescription& vehicle, const Scenario
     } else if (!driver.steering && stop < unlimited) {
         list_.push_back({"rack", "m", "displacement of the rack", Control::rack, -stop, stop});
     }
+    if (schedule.has_free_rack()) {
+        list_.push_back(
+            {"hands", "1", "how firmly they hold the steering wheel, 0 off to 1", Control::hands_hold, 0, 1});
+        list_.push_back({"steering_torque", "N m", "of the hands besides, to the left positive", Control::hands_torque,
+                         -unlimited, unlimited});
+    }
     if (!schedule.powered() && is_driven(vehicle) && !driver.speed) {
         list_.push_back(
             {"drive_torque", "N m", "at the driven wheels together", Control::drive_torque, -unlimited, unlimited});

@@ -28,6 +28,10 @@ SignalDescription through(const Column& column, const SignalDescription& angles)
     return rack;
 }
 
+SignalDescription constant(double value) {
+    return {.time = {0}, .value = {value}, .interpolation = Interpolation::linear};
+}
+
 Signal rack_signal(const ScenarioDescription& scenario, const SteeringDescription& steering) {
     if (scenario.steering_input == SteeringInput::none) return {};
     if (scenario.steering_input == SteeringInput::rack) return Signal(scenario.steering);
@@ -39,7 +43,9 @@ Signal rack_signal(const ScenarioDescription& scenario, const SteeringDescriptio
 }  // namespace
 
 Schedule::Schedule(const ScenarioDescription& scenario, const SteeringDescription& steering)
-    : powered_(is_powered(scenario)), windy_(!scenario.wind_x.time.empty() || !scenario.wind_y.time.empty()) {
+    : powered_(is_powered(scenario)),
+      windy_(!scenario.wind_x.time.empty() || !scenario.wind_y.time.empty()),
+      free_rack_(steering.moves_on_its_own()) {
     const auto at = [this](Control control) -> Signal& { return signals_[static_cast<std::size_t>(control)]; };
     at(Control::rack) = rack_signal(scenario, steering);
     at(Control::drive_torque) = Signal(scenario.drive);
@@ -47,6 +53,8 @@ Schedule::Schedule(const ScenarioDescription& scenario, const SteeringDescriptio
     at(Control::throttle) = Signal(scenario.throttle);
     at(Control::clutch) = Signal(scenario.clutch);
     at(Control::gear) = Signal(scenario.gear);
+    at(Control::hands_hold) = Signal(scenario.hands.time.empty() ? constant(1) : scenario.hands);
+    at(Control::hands_torque) = Signal(scenario.steering_torque);
     at(Control::wind_x) = Signal(scenario.wind_x);
     at(Control::wind_y) = Signal(scenario.wind_y);
 }

@@ -16,12 +16,12 @@
 namespace hamilcar {
 
 // The prescribed inputs, each with its own signal.
-enum class Control { rack, drive_torque, brake, throttle, clutch, gear, wind_x, wind_y };
-inline constexpr std::size_t control_count = 8;
+enum class Control { rack, drive_torque, brake, throttle, clutch, gear, wind_x, wind_y, hands_hold, hands_torque };
+inline constexpr std::size_t control_count = 10;
 
 // All inputs at a time [s]; `at` returns the SignalValue<T> of a control.
 template <class T, class At>
-Input<T> input_of(double time, bool powered, bool windy, const At& at) {
+Input<T> input_of(double time, bool powered, bool windy, bool free_rack, const At& at) {
     const SignalValue<T> rack = at(Control::rack);
     Input<T> input{.rack = {rack.value, rack.rate, rack.acceleration},
                    .drive_torque = at(Control::drive_torque).value,
@@ -31,6 +31,9 @@ Input<T> input_of(double time, bool powered, bool windy, const At& at) {
         input.throttle = at(Control::throttle).value;
         input.clutch = at(Control::clutch).value;
         input.gear = at(Control::gear).value;
+    }
+    if (free_rack) {
+        input.hands_hold = at(Control::hands_hold).value, input.hands_torque = at(Control::hands_torque).value;
     }
     if (windy) input.wind_x = at(Control::wind_x).value, input.wind_y = at(Control::wind_y).value;
     return input;
@@ -43,8 +46,8 @@ public:
 
     // All inputs at a time [s].
     Input<double> operator()(double time) const {
-        auto input =
-            input_of<double>(time, powered_, windy_, [&](Control control) { return signal(control).at(time); });
+        auto input = input_of<double>(time, powered_, windy_, free_rack_,
+                                      [&](Control control) { return signal(control).at(time); });
         input.commands = commands_.empty() ? nullptr : commands_.data();
         return input;
     }
@@ -78,10 +81,12 @@ public:
     // Whether throttle, clutch and gear are inputs, and whether there is wind.
     bool powered() const { return powered_; }
     bool windy() const { return windy_; }
+    // Whether the rack moves on its own, and the hands do what they do to the steering wheel.
+    bool has_free_rack() const { return free_rack_; }
 
 private:
     std::array<Signal, control_count> signals_;
-    bool powered_ = false, windy_ = false;
+    bool powered_ = false, windy_ = false, free_rack_ = false;
     std::vector<double> commands_;
 };
 

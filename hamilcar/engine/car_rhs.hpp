@@ -61,7 +61,9 @@ private:
                                                          from.clutch,
                                                          from.gear,
                                                          from.wind_x,
-                                                         from.wind_y};
+                                                         from.wind_y,
+                                                         from.hands_hold,
+                                                         from.hands_torque};
         std::ranges::copy(numbers, to);
     }
 

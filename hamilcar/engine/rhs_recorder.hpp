@@ -102,6 +102,7 @@ private:
     // Without what may differ between the two of a pair.
     static Suspension<double> alike(Suspension<double> suspension) {
         suspension.offset = suspension.first_wheel = 0;
+        for (auto& damper : suspension.dampers) damper.actuator = std::min(damper.actuator, 0);
         return suspension;
     }
     static SuspensionWheel<double> alike(SuspensionWheel<double> wheel) {
@@ -131,6 +132,8 @@ private:
                 .gear = at(I::gear),
                 .wind_x = at(I::wind_x),
                 .wind_y = at(I::wind_y),
+                .hands_hold = at(I::hands_hold),
+                .hands_torque = at(I::hands_torque),
                 .commands = traced_commands()};
     }
     const T* traced_commands() {

@@ -32,6 +32,8 @@ struct RhsInput {
         gear,
         wind_x,
         wind_y,
+        hands_hold,
+        hands_torque,
         size
     };
 };

@@ -95,10 +95,25 @@ SpringDescription read_spring(const TableReader& table, bool turns) {
     return {rate, preload.value_or(0), !preload, seat};
 }
 
+// Between two shares of the force, by a command.
+void read_adjustment(const TableReader& table, DamperDescription& to) {
+    constexpr Range lag{"number not below 0.002", 0.002};  // that explicit steps can follow [s]
+    to.soft = table.number("soft", not_negative);
+    to.firm = table.number("firm", positive);
+    to.response_time = table.number("response_time_s", lag, to.response_time);
+    table.expect(to.firm > to.soft, "firm", "a share above that of 'soft'");
+}
+
 DamperDescription read_any_damper(const TableReader& table, bool turns) {
-    if (!turns) return read_damper(table);
-    const double damping = table.number("damping_N_m_s_per_rad", not_negative);
-    return {{-1, 1}, {-damping, damping}};
+    DamperDescription out;
+    if (turns) {
+        const double damping = table.number("damping_N_m_s_per_rad", not_negative);
+        out = {{-1, 1}, {-damping, damping}};
+    } else {
+        out = read_damper(table);
+    }
+    if (const auto adjustable = table.optional_table("adjustable")) read_adjustment(*adjustable, out);
+    return out;
 }
 
 // Bump and rebound trade places.

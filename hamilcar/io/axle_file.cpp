@@ -142,7 +142,9 @@ void read_axle(const TableReader& axle, const NamedTires& tires, std::size_t uni
         named.name = axle.text("name"), named.keyword = words[word], named.unit = unit;
         const auto add = [&](const AxleSides& sides) {
             add_suspensions(tables, tires, sides, named, vehicle);
-            if (sides.bar_rate) vehicle.anti_roll_bars.push_back({first_wheel, first_wheel + 1, *sides.bar_rate});
+            if (!sides.bar_rate) return;
+            vehicle.anti_roll_bars.push_back(
+                {first_wheel, first_wheel + 1, *sides.bar_rate, sides.bar_force, sides.bar_response});
         };
         if (const Recipe* recipe = find_recipe(words[word])) return read_recipe(tables, *recipe, unit > 0, add);
         read_own_linkage(tables, unit > 0, add);

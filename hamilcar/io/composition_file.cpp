@@ -149,6 +149,15 @@ BarArm read_arm(const TableReader& bar, const AxleSides& sides, bool right) {
     return arm;
 }
 
+// Makes the bar push by itself.
+void read_bar_actuator(const TableReader& bar, AxleSides& sides) {
+    constexpr Range lag{"number not below 0.005", 0.005};  // that explicit steps can follow [s]
+    const auto actuator = bar.optional_table("actuator");
+    if (!actuator) return;
+    sides.bar_force = actuator->number("max_force_N", positive);
+    sides.bar_response = actuator->number("response_time_s", lag, sides.bar_response);
+}
+
 void read_bar(const AxleTables& axle, AxleSides& sides) {
     const auto bar = axle.left.optional_table("anti_roll_bar");
     if (!bar) return;
@@ -161,7 +170,7 @@ void read_bar(const AxleTables& axle, AxleSides& sides) {
                         other.expect(other.number(key, not_negative) == sides.bar_rate, key,
                                      "the left side's: the bar is one for both sides");
                     }
-                    if (group == 0) return;
+                    if (group == 0) return read_bar_actuator(*bar, sides);
                     const BarArm left = read_arm(*bar, sides, false);
                     const BarArm right = axle.left.is_recording() ? left : read_arm(other, sides, true);
                     add_bar_arm(sides.left, sides.hold_both() ? "left " : "", left);

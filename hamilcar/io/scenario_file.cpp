@@ -99,6 +99,8 @@ void read_inputs(const TableReader& inputs, ScenarioDescription& scenario) {
     scenario.clutch = read_optional_signal(inputs, "clutch", "pedal", fraction);
     scenario.gear = read_optional_signal(inputs, "gear", "number", any_number);
     scenario.gear.interpolation = Interpolation::steps;
+    scenario.hands = read_optional_signal(inputs, "hands", "hold", fraction);
+    scenario.steering_torque = read_optional_signal(inputs, "steering_torque", "torque_N_m", any_number);
     inputs.choose({{"steering_wheel"}, {"rack"}}, [&](std::size_t group) {
         if (group == 1) {
             scenario.steering_input = SteeringInput::rack;
@@ -233,6 +235,7 @@ ScenarioDescription read_scenario(const TableReader& file) {
     file.choose_presence("maneuver", [&](bool present) {
         scenario.duration = present ? file.number("duration_s", positive, 1) : file.number("duration_s", positive);
     });
+    scenario.steering_mechanics = file.boolean("steering_mechanics", false);
     scenario.controllers_off = read_controllers_off(file);
     if (const auto table = file.optional_table("solver")) scenario.solver = read_solver(*table);
     if (const auto table = file.optional_table("initial")) scenario.initial = read_initial(*table);

@@ -82,28 +82,6 @@ HullDescription read_hull(const std::optional<TableReader>& table) {
     return hull;
 }
 
-void read_rack_curve(const TableReader& table, SteeringDescription& to) {
-    const Samples curve = table.samples("angle_deg", "rack_m", not_negative);
-    table.expect(curve.argument.size() >= 2 && curve.argument[0] == 0, "angle_deg",
-                 "at least two angles, the first of them 0");
-    table.expect(curve.value[0] == 0 &&
-                     std::ranges::adjacent_find(curve.value, std::ranges::greater_equal{}) == curve.value.end(),
-                 "rack_m", "displacements that begin with 0 and increase");
-    to.angle = curve.argument, to.rack = curve.value;
-    to.rack_per_revolution = 2 * std::numbers::pi * curve.value[1] / curve.argument[1];
-}
-
-SteeringDescription read_steering(const std::optional<TableReader>& table) {
-    SteeringDescription steering;
-    if (!table) return steering;
-    table->choose({{"rack_m_per_revolution"}, {"angle_deg", "rack_m"}}, [&](std::size_t group) {
-        if (group == 1) return read_rack_curve(*table, steering);
-        steering.rack_per_revolution = table->number("rack_m_per_revolution", positive);
-    });
-    steering.rack_travel = table->number("rack_travel_m", positive);
-    return steering;
-}
-
 void read_axles(const TableReader& owner, const NamedTires& tires, std::size_t unit, std::vector<std::string>& names,
                 VehicleDescription& vehicle) {
     for (const TableReader& axle : owner.tables("axle")) {

@@ -54,7 +54,8 @@ struct AxleTables {
 // An axle's two sides. Where one suspension carries both wheels, the left composition is that of both.
 struct AxleSides {
     Composition left, right;
-    std::string_view default_part;     // that springs act on unless the file says otherwise
+    std::string_view default_part;              // that springs act on unless the file says otherwise
+    double bar_force = 0, bar_response = 0.03;  // of its actuator, if it has one [N], [s]
     std::optional<double> bar_rate{};  // of an anti-roll bar [N/m], or [N m/rad] where the compositions have its arms
 
     bool hold_both() const { return left.carriers.size() == 2; }
@@ -86,6 +87,9 @@ void read_axle(const TableReader& axle, const NamedTires& tires, std::size_t uni
 
 // Reads [[differential]] into the vehicle, whose axles are there already, and returns their tables in the vehicle's order.
 std::vector<TableReader> read_differentials(const TableReader& file, VehicleDescription& vehicle);
+
+// [steering]: the rack and what moves it.
+SteeringDescription read_steering(const std::optional<TableReader>& table);
 
 // [brakes], from the pedal to the lines.
 BrakeSystemDescription read_brake_system(const TableReader& file);

@@ -59,6 +59,7 @@ struct Linkage {
         eliminate(rack, alpha, out);
         accumulate(out.B, out.Y, out.X, out.own);
         refer(out.own, out.motion);
+        out.pace = T(1);
     }
 
     // One Newton step W <- W - Phi_w^-1 Phi on the closed loops.
@@ -74,7 +75,7 @@ struct Linkage {
                     LinkageRates<T>& out) const {
         out.v[0].setZero();
         for (int k = 0; k < nq(); ++k) {
-            T rate = at.X[k];
+            T rate = at.X[k] * at.pace;
             for (int j = 0; j < nV(); ++j) rate += at.Y[k][j] * V_rate[j];  // (38), (40), (41)
             out.q[k] = rate;
             const Spatial<T>& v = out.v[coordinates[k].parent];

@@ -64,6 +64,7 @@ struct LinkagePosition {
     std::array<T, max_coordinates> X;  // of every coordinate  // (39)
     FrameMotions<T> own;               // about the anchor
     FrameMotions<T> motion;            // about the chassis origin
+    T pace;  // X and x times this are rates: 1, or the rack's rate where they are per unit of it
     LinkagePosition() {}
 };
 

@@ -58,7 +58,7 @@ Setting rise_setting(const VehicleDescription& vehicle) {
 }
 
 double asked_deceleration(const TestRun& test) {
-    return test["pedal"] * full_brake_force(test.vehicle) / total_mass(test.vehicle);
+    return test["pedal"] * brake_force_per_command(test.vehicle) / total_mass(test.vehicle);
 }
 
 ScenarioDescription stop(const TestRun& test, double rise, bool engine_connected, double deceleration) {

@@ -99,7 +99,7 @@ void add_charts(TestRun& test, const std::vector<Driven>& all) {
 
 // Pedal commands of the runs.
 std::vector<double> pedals(TestRun& test) {
-    const double full = full_brake_force(test.vehicle) / total_mass(test.vehicle);
+    const double full = brake_force_per_command(test.vehicle) / total_mass(test.vehicle);
     std::vector<double> out;
     for (double asked = test["least_deceleration"]; asked <= test["deceleration"] + 1e-9; asked += test["step"]) {
         if (asked > full) {

@@ -108,6 +108,7 @@ struct ManeuverOptions {
     SolverDescription solver;
     RoadDescription road;                           // the maneuver may put its own obstacles on it
     std::vector<std::string> controllers_off = {};  // kinds that the vehicle goes without, as in a scenario
+    bool steering_mechanics = false;                // the rack moves on its own
     bool keep_runs = true;                          // rows for replay and plots
     std::vector<std::string> channels = {};         // of these rows, names or prefixes with '*'; empty: the default set
     std::function<bool(double)> keep_going = [](double) { return true; };  // told the share done; false: stop

@@ -30,6 +30,7 @@ ScenarioDescription driving_at(const VehicleDescription& vehicle, const Maneuver
     scenario.solver = options.solver;
     scenario.road = options.road;
     scenario.controllers_off = options.controllers_off;
+    scenario.steering_mechanics = options.steering_mechanics;
     scenario.initial.velocity = {speed, 0, 0};
     scenario.driver.speed.emplace();
     scenario.driver.speed->speed = {.time = {0}, .value = {speed}, .interpolation = Interpolation::linear};

@@ -22,7 +22,7 @@ constexpr double spun = 60;                                    // of heading: pa
 double default_pedal(const VehicleDescription& vehicle) {
     constexpr double asked = 0.5;  // [g]
     constexpr double grain = 5;    // [%]
-    const double full = full_brake_force(vehicle);
+    const double full = brake_force_per_command(vehicle);
     if (full <= 0) return 100;
     const double share = asked * total_mass(vehicle) * standard_gravity / full;
     return std::clamp(std::round(share * 100 / grain) * grain, grain, 100.0);

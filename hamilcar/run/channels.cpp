@@ -14,6 +14,7 @@
 #include "hamilcar/run/joint_channels.hpp"
 #include "hamilcar/run/motion_channels.hpp"
 #include "hamilcar/run/powertrain_channels.hpp"
+#include "hamilcar/run/steering_channels.hpp"
 #include "hamilcar/run/suspension_channels.hpp"
 #include "hamilcar/scalar/elementary.hpp"
 #include "hamilcar/steering/column.hpp"
@@ -44,6 +45,17 @@ Vec3<typename AnySample::Number> chassis_velocity(const AnySample& s) {
 double rack_force_in(const Sample& s) {
     if (!s.rack_force) s.rack_force = rack_force(s.model, s.state, s.input, s.velocity, s.momenta);
     return *s.rack_force;
+}
+
+// Of a free steering as it turns, else as the rack is prescribed [rad].
+double steering_wheel_angle(const Column& column, const Sample& s) {
+    const SteeringSystem<double>& steering = s.model.vehicle.steering;
+    return steering.exists() ? steering.state(s.state.values.data()).wheel : column.angle(s.input.rack.displacement);
+}
+
+double hands_torque(const Column& column, const Sample& s) {
+    if (s.model.vehicle.steering.exists()) return s.momenta.steering.hands_torque;
+    return steering_torque(column, s.input.rack.displacement, rack_force_in(s));
 }
 
 // ISO 8855 angles: yaw about z, pitch about y', roll about x''.
@@ -105,14 +117,13 @@ void add_car_channels(const VehicleDescription& vehicle, std::vector<Channel>& l
         // Not compiled: the ratio is no number of the model, so cars of a batch may differ in it unseen.
         add(
             channel::steering_wheel, "deg", "of the steering wheel, to the left positive",
-            [column](const Sample& s) { return column.angle(s.input.rack.displacement) / degree; }, true,
+            [column](const Sample& s) { return steering_wheel_angle(column, s) / degree; }, true,
             ChannelRole::steering_wheel_angle);
-        add("input.rack_force", "N",
-            "that holds the rack on its course, in the sense of input.rack; without power assist", rack_force_in);
+        add("input.rack_force", "N", "that moves or holds the tie rods, in the sense of input.rack", rack_force_in);
         add(
-            channel::steering_torque, "N m", "that the driver applies, without power assist; to the left positive",
-            [column](const Sample& s) { return steering_torque(column, s.input.rack.displacement, rack_force_in(s)); },
-            false, ChannelRole::steering_torque);
+            channel::steering_torque, "N m",
+            "that the driver applies, to the left positive; without power assist where the rack is prescribed",
+            [column](const Sample& s) { return hands_torque(column, s); }, false, ChannelRole::steering_torque);
     }
     add(
         "input.drive_torque", "N m", "at the driven wheels together",
@@ -155,6 +166,7 @@ std::vector<Channel> all_channels(const VehicleDescription& vehicle) {
     add_car_channels(vehicle, list);
     add_powertrain_channels(vehicle, list);
     add_control_channels(vehicle, list);
+    add_steering_channels(vehicle, list);
     add_suspension_channels(vehicle, list);
     add_joint_channels(vehicle, list);
     add_motion_channels(vehicle, list);

@@ -39,6 +39,16 @@ std::vector<bool> driven_wheels(const VehicleDescription& vehicle) {
     return out;
 }
 
+// The first adjustable one of a wheel, or one that is not.
+DamperDescription adjustable_damper(const VehicleDescription& vehicle, const std::string& wheel) {
+    for (const SuspensionDescription& suspension : vehicle.suspensions) {
+        for (const SuspensionDamperDescription& one : suspension.dampers) {
+            if (one.name == wheel && one.damper.is_adjustable()) return one.damper;
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 ControlledCar controlled_car(const VehicleDescription& vehicle, const Model<double>& model, const DrivenCar& driven,
@@ -50,7 +60,11 @@ ControlledCar controlled_car(const VehicleDescription& vehicle, const Model<doub
                       .wheels_per_angle = driven.wheels_per_angle,
                       .full_pressure = vehicle.brakes.exists ? vehicle.brakes.full_pressure : 0,
                       .wheels = {},
+                      .bars = {},
                       .units = {}};
+    for (const AntiRollBarDescription& bar : vehicle.anti_roll_bars) {
+        out.bars.push_back({bar.left, bar.right, bar.max_force});
+    }
     for (const PowerUnitDescription& unit : vehicle.power_units) out.units.push_back(unit.name);
     State<double> start = state;
     const auto velocity = velocity_block(model, start, input);
@@ -62,6 +76,7 @@ ControlledCar controlled_car(const VehicleDescription& vehicle, const Model<doub
         const std::size_t i = out.wheels.size();
         const Point& center =
             unit == 0 ? vehicle.chassis.center_of_mass : vehicle.trailers[unit - 1].chassis.center_of_mass;
+        const DamperDescription damper = adjustable_damper(vehicle, wheel.name);
         double load = 0;
         for (const RoadTire& tire : on_road[i].tires) load += tire.forces->tire.Fz;
         out.wheels.push_back({.name = wheel.name,
@@ -73,6 +88,8 @@ ControlledCar controlled_car(const VehicleDescription& vehicle, const Model<doub
                               .steered = unit == 0 && std::abs(motions[i].steer[5]) > some_steer,
                               .driven = is_driven[i],
                               .brake_torque = wheel.brake.max_torque,
+                              .damper_soft = damper.soft,
+                              .damper_firm = damper.firm,
                               .static_load = load});
     });
     return out;
@@ -83,16 +100,24 @@ std::shared_ptr<const ControlSystem> make_control(const ScenarioDescription& sce
     try {
         return std::make_shared<ControlSystem>(vehicle, car, scenario.solver.step);
     } catch (const std::invalid_argument& mistake) {
-        const std::string message = mistake.what(), key = message.substr(0, message.find(' '));
+        const std::string message = mistake.what(), word = message.substr(0, message.find(' '));
+        const bool is_key = word.find_first_of(".[") != std::string::npos;
         throw io::Error(io::ExitCode::bad_file,
-                        at_key(vehicle.places, key) + "key '" + key + "'" + message.substr(key.size()));
+                        is_key ? at_key(vehicle.places, word) + "key '" + word + "'" + message.substr(word.size())
+                               : at_key(vehicle.places) + message);
     }
+}
+
+std::optional<double> free_steering_wheel(const Vehicle<double>& vehicle, const State<double>& state) {
+    if (!vehicle.steering.exists()) return {};
+    return vehicle.steering.state(state.values.data()).wheel;
 }
 
 void let_decide(const ControlSystem& control, const Column& column, const StepTime& now, std::span<double> memory,
                 Schedule& schedule) {
     const auto at = [&](Control which) { return schedule.signal(which).at(now.time).value; };
-    const DriverActions driver{.steering_wheel = column.exists() ? column.angle(at(Control::rack)) : 0,
+    const double asked = column.exists() ? column.angle(at(Control::rack)) : 0;
+    const DriverActions driver{.steering_wheel = now.steering_wheel.value_or(asked),
                                .brake = at(Control::brake),
                                .throttle = at(Control::throttle),
                                .gear = at(Control::gear)};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "hamilcar/control/control_system.hpp"
@@ -16,6 +17,9 @@ namespace hamilcar {
 ControlledCar controlled_car(const VehicleDescription& vehicle, const Model<double>& model, const DrivenCar& driven,
                              const State<double>& state, const Input<double>& input);
 
+// For StepTime.
+std::optional<double> free_steering_wheel(const Vehicle<double>& vehicle, const State<double>& state);
+
 // Throws io::Error(bad_file) for a rate that does not go with the scenario's step.
 std::shared_ptr<const ControlSystem> make_control(const ScenarioDescription& scenario,
                                                   const VehicleDescription& vehicle, const ControlledCar& car);
@@ -23,6 +27,8 @@ std::shared_ptr<const ControlSystem> make_control(const ScenarioDescription& sce
 struct StepTime {
     long step;
     double time;  // [s]
+    std::optional<double>
+        steering_wheel{};  // its angle where the rack moves on its own; else it follows the schedule [rad]
 };
 // Lets those decide whose time it is: from what is measured, in the memory, to the schedule's commands. Without allocation.
 void let_decide(const ControlSystem& control, const Column& column, const StepTime& now, std::span<double> memory,

@@ -124,6 +124,26 @@ void check_driver(const ScenarioDescription& scenario, const VehicleDescription&
     if (!shifting && !gears.empty() && std::ranges::none_of(gears, above_zero)) refuse("inputs.gear", gears.front());
 }
 
+// A rack can only move on its own where the vehicle says how, and where nothing stabilizes loops at the cost of its motion.
+void check_mechanics(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
+    if (!has_free_rack(scenario)) return;
+    const std::string key = scenario.steering_mechanics    ? "steering_mechanics"
+                            : !scenario.hands.time.empty() ? "inputs.hands"
+                                                           : "inputs.steering_torque";
+    if (!vehicle.steering.mechanics) {
+        reject_key(scenario, key,
+                   fmt::format(": {} has no mechanics of its steering; expected [steering.rack] and [steering.column] "
+                               "there",
+                               vehicle.name));
+    }
+    if (scenario.solver.constraints != ConstraintMode::exact) {
+        reject_key(scenario, key, ": expected solver.constraints = \"exact\" beside it");
+    }
+    if (scenario.steering_input == SteeringInput::rack) {
+        reject_key(scenario, key, ": expected inputs.steering_wheel in the place of inputs.rack");
+    }
+}
+
 bool is_off(const ScenarioDescription& scenario, const std::string& kind) {
     return std::ranges::any_of(scenario.controllers_off,
                                [&](const std::string& off) { return off == "all" || off == kind; });
@@ -137,11 +157,13 @@ void check_scenario(const ScenarioDescription& scenario, const VehicleDescriptio
     check_driver(scenario, vehicle);
     check_posts(scenario, vehicle);
     check_rack(scenario, vehicle.steering);
+    check_mechanics(scenario, vehicle);
 }
 
 VehicleDescription as_driven(VehicleDescription vehicle, const ScenarioDescription& scenario) {
     check_scenario(scenario, vehicle);
     if (!is_powered(scenario)) vehicle.power_units.clear(), vehicle.differentials.clear();
+    vehicle.steering.is_free = has_free_rack(scenario);
     std::erase_if(vehicle.controllers, [&](const ControllerDescription& one) { return is_off(scenario, one.kind); });
     return vehicle;
 }

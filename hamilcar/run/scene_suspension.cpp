@@ -88,7 +88,7 @@ private:
                 {suspension_.name + "." + as_name(cut.name) + "_rack", suspension_.unit,
                  [pose = pose_, base = cut.base, drive = vec3(cut.drive)](const Sample& s) {
                      const Pose<double> on = pose(s, base);
-                     return Pose<double>{on.R, on.p + on.direction(drive * s.input.rack.displacement)};
+                     return Pose<double>{on.R, on.p + on.direction(drive * s.velocity.rack.displacement)};
                  }});
         } else {
             know(cut.base, cut.foot);

@@ -82,7 +82,7 @@ void Simulation::start() {
                                : Mat3<double>(heading * axis_rotation<double>(Vec3<double>::UnitY(), initial.pitch) *
                                               axis_rotation<double>(Vec3<double>::UnitX(), initial.roll));
     state_ = design_state(model_, foot + n * (initial.settle ? 0 : initial.height), R);
-    set_brakes(model_, input, state_);
+    hold_inputs(model_, input, state_);
     RackMotion<double> rack;  // closed at the straight-ahead position first, then led to the rack's start
     AssemblyResult assembly = assemble(model_, rack, state_);
     constexpr int lead_in = 10;
@@ -157,7 +157,8 @@ std::optional<End> Simulation::advance() {
         if (driver_->end_reason()) return std::nullopt;  // the run ends here
     }
     if (control_ && control_->is_due(step_count_)) {
-        let_decide(*control_, column_, {step_count_, time()}, control_memory_, schedule_);
+        let_decide(*control_, column_, {step_count_, time(), free_steering_wheel(model_.vehicle, state_)},
+                   control_memory_, schedule_);
     }
     copy_state(state_, model_.vehicle.state_size, last_good_);
     prepare();
@@ -214,7 +215,7 @@ std::string Simulation::inspect(const Health<double>& health) const {
     }
     const bool locks = health.locks();
     if (!locks && !health.loops_open()) return {};
-    const RackMotion<double> rack = schedule_(time()).rack;
+    const RackMotion<double> rack = rack_of(model_.vehicle, state_, schedule_(time()));
     LoopReport worst = inspect_loops(model_, rack, state_, 0);
     for (int i = 1; i < static_cast<int>(model_.vehicle.suspensions.size()); ++i) {
         const LoopReport loop = inspect_loops(model_, rack, state_, i);
@@ -268,7 +269,7 @@ Sample sample_at(const Model<double>& model, const State<double>& state, const I
     s.energy = energy(model, state, s.velocity, s.momenta);
     if (!model.energy_balance) s.energy.work = std::numeric_limits<double>::quiet_NaN();  // no account was kept
     for (int i = 0; i < static_cast<int>(model.vehicle.suspensions.size()); ++i) {
-        const LoopReport loop = inspect_loops(model, input.rack, state, i);
+        const LoopReport loop = inspect_loops(model, rack_of(model.vehicle, state, input), state, i);
         s.violation = std::max(s.violation, loop.violation);
         s.mobility = std::min(s.mobility, loop.mobility);
     }

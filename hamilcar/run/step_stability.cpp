@@ -33,7 +33,7 @@ double stop_force(const Sample& s) {
 
 // Rates of the independent numbers, with dependent coordinates that fit them.
 Eigen::VectorXd rates_of(const Sample& s, State<double>& state, const std::vector<int>& independent) {
-    close_loops(s.model, s.input.rack, state, 2);
+    close_loops(s.model, rack_of(s.model.vehicle, state, s.input), state, 2);
     State<double> rate;
     evaluate_rhs(s.model, s.input, state, rate);
     Eigen::VectorXd out(static_cast<Eigen::Index>(independent.size()));

@@ -58,6 +58,7 @@ std::optional<RunResult> drive(const VehicleDescription& vehicle, const Scenario
     ManeuverOptions options{.solver = scenario.solver,
                             .road = scenario.road,
                             .controllers_off = scenario.controllers_off,
+                            .steering_mechanics = scenario.steering_mechanics,
                             .keep_runs = false};
     options.keep_going = [&](double) { return !(interrupted = interrupted || !keep_going()); };
     const Outcome outcome = maneuver.drive(vehicle, settings_of(maneuver, vehicle, scenario), options);

@@ -6,6 +6,7 @@
 #include "hamilcar/math/convert.hpp"
 #include "hamilcar/vehicle/build_brakes.hpp"
 #include "hamilcar/vehicle/build_powertrain.hpp"
+#include "hamilcar/vehicle/build_steering.hpp"
 #include "hamilcar/vehicle/build_suspension.hpp"
 #include "hamilcar/vehicle/vehicle.hpp"
 
@@ -20,7 +21,8 @@ Vehicle<T>::Vehicle(const VehicleDescription& d)
       gravity(d.gravity),
       total_mass(chassis.mass) {
     for (const AntiRollBarDescription& bar : d.anti_roll_bars) {
-        anti_roll_bars.push_back({static_cast<int>(bar.left), static_cast<int>(bar.right), T(bar.rate)});
+        anti_roll_bars.push_back(
+            {static_cast<int>(bar.left), static_cast<int>(bar.right), T(bar.rate), -1, T(bar.max_force)});
     }
     const StateLayout layout(d);
     if (layout.size() > state_capacity)
@@ -29,6 +31,8 @@ Vehicle<T>::Vehicle(const VehicleDescription& d)
     add_suspensions(d, layout);
     add_powertrain(d, layout);
     add_brakes(d, layout);
+    add_steering(d, layout);
+    add_actuators(d, layout);
     is_measured = d.controllers.empty() ? 0 : 1;
 }
 
@@ -72,10 +76,35 @@ void Vehicle<T>::add_brakes(const VehicleDescription& d, const StateLayout& layo
     brakes.place = layout.brakes();
 }
 
+template <class T>
+void Vehicle<T>::add_steering(const VehicleDescription& d, const StateLayout& layout) {
+    if (!d.steering.moves_on_its_own()) return;
+    steering = make_steering<T>(d.steering);
+    steering.place = layout.steering();
+}
+
+template <class T>
+void Vehicle<T>::add_actuators(const VehicleDescription& d, const StateLayout& layout) {
+    const CommandLayout told(d);
+    actuator_place = layout.actuators();
+    for (const CommandLayout::Actuator& one : told.actuators()) {
+        const Command& command = told.commands()[static_cast<std::size_t>(one.command)];
+        actuators.push_back({one.command, T(1 / one.response_time), T(command.rest)});
+    }
+    for (std::size_t s = 0; s < suspensions.size(); ++s) {
+        for (std::size_t i = 0; i < suspensions[s].dampers.size(); ++i) {
+            suspensions[s].dampers[i].actuator = told.actuator(told.damper(s, i));
+        }
+    }
+    for (std::size_t i = 0; i < anti_roll_bars.size(); ++i) anti_roll_bars[i].actuator = told.actuator(told.bar(i));
+}
+
 // Compiled once, in vehicle.cpp.
 extern template Vehicle<double>::Vehicle(const VehicleDescription&);
 extern template void Vehicle<double>::add_suspensions(const VehicleDescription&, const StateLayout&);
 extern template void Vehicle<double>::add_powertrain(const VehicleDescription&, const StateLayout&);
 extern template void Vehicle<double>::add_brakes(const VehicleDescription&, const StateLayout&);
+extern template void Vehicle<double>::add_steering(const VehicleDescription&, const StateLayout&);
+extern template void Vehicle<double>::add_actuators(const VehicleDescription&, const StateLayout&);
 
 }  // namespace hamilcar

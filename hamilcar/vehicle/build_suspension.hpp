@@ -85,7 +85,8 @@ Suspension<T> make_suspension(const SuspensionDescription& d, const StateLayout:
         out.springs.push_back({line, {T(spring.spring.rate), T(force), length}});
     }
     for (const auto& damper : d.dampers) {
-        out.dampers.push_back({make_line<T>(d.linkage, damper.line), Damper<T>(damper.damper)});
+        out.dampers.push_back({make_line<T>(d.linkage, damper.line), Damper<T>(damper.damper), -1,
+                               T(damper.damper.soft), T(damper.damper.firm - damper.damper.soft)});
     }
     return out;
 }

@@ -21,6 +21,48 @@ CommandLayout::CommandLayout(const VehicleDescription& vehicle) {
         commands_.push_back({unit.name + ".max_throttle", "1", "the most that the throttle opens", 1, 0, 1});
         commands_.push_back({unit.name + ".min_throttle", "1", "the least that it opens", 0, 0, 1});
     }
+    add_dampers(vehicle), add_bars(vehicle);
+}
+
+void CommandLayout::add_dampers(const VehicleDescription& vehicle) {
+    for (const SuspensionDescription& suspension : vehicle.suspensions) {
+        std::vector<int>& of_suspension = dampers_.emplace_back();
+        for (const SuspensionDamperDescription& one : suspension.dampers) {
+            const DamperDescription& damper = one.damper;
+            const bool takes = !vehicle.controllers.empty() && damper.is_adjustable();
+            of_suspension.push_back(takes ? size() : -1);
+            if (!takes) continue;
+            // At rest it has the force that the file states, as far as it can.
+            const double rest = std::clamp((1 - damper.soft) / (damper.firm - damper.soft), 0.0, 1.0);
+            actuators_.push_back({size(), damper.response_time});
+            commands_.push_back({one.name + ".damper.setting", "1", "of the damper, 0 soft to 1 firm", rest, 0, 1});
+        }
+        for (const SuspensionWheelDescription& wheel : suspension.wheels) {
+            int first = -1;
+            for (std::size_t i = suspension.dampers.size(); i-- > 0;) {
+                if (suspension.dampers[i].name == wheel.name) first = of_suspension[i];
+            }
+            wheel_dampers_.push_back(first);
+        }
+    }
+}
+
+void CommandLayout::add_bars(const VehicleDescription& vehicle) {
+    std::vector<std::string> wheels;
+    for_each_wheel(vehicle, [&](const auto& wheel, std::size_t) { wheels.push_back(wheel.name); });
+    for (const AntiRollBarDescription& bar : vehicle.anti_roll_bars) {
+        const bool takes = !vehicle.controllers.empty() && bar.max_force > 0;
+        bars_.push_back(takes ? size() : -1);
+        if (!takes) continue;
+        actuators_.push_back({size(), bar.response_time});
+        commands_.push_back({wheels[bar.left] + ".anti_roll_bar.force", "1",
+                             "share of the largest, that pushes this wheel down and the right one up", 0, -1, 1});
+    }
+}
+
+int CommandLayout::actuator(int command) const {
+    const auto found = std::ranges::find(actuators_, command, &Actuator::command);
+    return command < 0 || found == actuators_.end() ? -1 : static_cast<int>(found - actuators_.begin());
 }
 
 std::vector<double> CommandLayout::rest() const {

@@ -4,6 +4,8 @@
 //
 //   wheel   of each with a modulated brake: inlet, outlet, pump
 //   unit    of each power unit: the most and the least that its throttle may be
+//   damper  of each that is adjustable: its setting
+//   bar     of each active anti-roll bar: the share of its force
 #pragma once
 
 #include <string>
@@ -34,12 +36,29 @@ public:
     int brake(std::size_t wheel) const { return brakes_[wheel]; }
     int unit(std::size_t unit) const { return units_[unit]; }
     std::vector<double> rest() const;
+    // Of a wheel's first adjustable damper, of a suspension's dampers one by one, of a bar; -1: it takes none.
+    int damper(std::size_t wheel) const { return wheel_dampers_[wheel]; }
+    int damper(std::size_t suspension, std::size_t number) const { return dampers_[suspension][number]; }
+    int bar(std::size_t number) const { return bars_[number]; }
+    // Those that follow their commands with a lag, in the order of their numbers in a state.
+    struct Actuator {
+        int command;
+        double response_time;  // [s]
+    };
+    const std::vector<Actuator>& actuators() const { return actuators_; }
+    // Of the actuator that follows a command; -1: there is none.
+    int actuator(int command) const;
     // Index of the command of a name; -1: there is none.
     int find(std::string_view name) const;
 
 private:
     std::vector<Command> commands_;
-    std::vector<int> brakes_, units_;
+    void add_dampers(const VehicleDescription& vehicle);
+    void add_bars(const VehicleDescription& vehicle);
+
+    std::vector<int> brakes_, units_, wheel_dampers_, bars_;
+    std::vector<std::vector<int>> dampers_;  // of the suspensions
+    std::vector<Actuator> actuators_;
 };
 
 }  // namespace hamilcar

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "hamilcar/vehicle/command_layout.hpp"
+
 namespace hamilcar {
 
 namespace {
@@ -32,13 +34,21 @@ constexpr std::array kinds{
     StateKindInfo{StateKind::control_pressure, "-", "Pa", "Momenta", "pressure that the brake pedal makes, of a unit"},
     StateKindInfo{StateKind::brake_pressure, "-", "Pa", "Momenta", "pressure at a wheel's brake"},
     StateKindInfo{StateKind::brake_temperature, "-", "degC", "Momenta", "temperature of a brake's disc or drum"},
+    StateKindInfo{StateKind::rack_displacement, "r", "m", "Velocity", "displacement of a rack that moves on its own"},
+    StateKindInfo{StateKind::rack_momentum, "P_r", "kg m/s", "Momenta", "momentum conjugate to it"},
+    StateKindInfo{StateKind::steering_wheel_angle, "-", "rad", "Momenta", "angle of the steering wheel"},
+    StateKindInfo{StateKind::steering_wheel_momentum, "-", "kg m^2/s", "Momenta", "its momentum against the chassis"},
+    StateKindInfo{StateKind::steering_windup, "z", "m, rad", "Momenta",
+                  "elastic wind-up of the dry friction of rack and steering wheel"},
+    StateKindInfo{StateKind::assist_force, "-", "N", "Momenta", "force of the power assist on the rack"},
+    StateKindInfo{StateKind::actuator, "-", "1", "Momenta", "what an actuator of a damper or a bar has come to"},
 };
 
 constexpr bool in_order() {
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         if (kinds[i].kind != static_cast<StateKind>(i)) return false;
     }
-    return kinds.size() == static_cast<std::size_t>(StateKind::brake_temperature) + 1;
+    return kinds.size() == static_cast<std::size_t>(StateKind::actuator) + 1;
 }
 static_assert(in_order());
 
@@ -51,7 +61,9 @@ bool is_momentum(StateKind kind) {
         case StateKind::suspension_momentum:
         case StateKind::spin_momentum:
         case StateKind::hitch_momentum:
-        case StateKind::rotor_momentum: return true;
+        case StateKind::rotor_momentum:
+        case StateKind::rack_momentum:
+        case StateKind::steering_wheel_momentum: return true;
         default: return false;
     }
 }
@@ -66,6 +78,8 @@ StateLayout::StateLayout(const VehicleDescription& description) {
     for (const TrailerDescription& trailer : description.trailers) add_trailer(trailer);
     add_powertrain(description);
     add_brakes(description);
+    add_steering(description.steering);
+    add_actuators(description);
 }
 
 void StateLayout::add_chassis() {
@@ -127,6 +141,24 @@ void StateLayout::add_powertrain(const VehicleDescription& description) {
     }
     powertrain_.supplied = size();
     add(StateKind::energy_supplied, "energy_supplied");
+}
+
+void StateLayout::add_actuators(const VehicleDescription& description) {
+    actuators_ = size();
+    const CommandLayout commands(description);
+    for (const CommandLayout::Actuator& one : commands.actuators()) {
+        add(StateKind::actuator, commands.commands()[static_cast<std::size_t>(one.command)].name);
+    }
+}
+
+void StateLayout::add_steering(const SteeringDescription& steering) {
+    steering_ = size();
+    if (!steering.moves_on_its_own()) return;
+    add(StateKind::rack_displacement, "rack.displacement"), add(StateKind::rack_momentum, "rack.momentum");
+    add(StateKind::steering_wheel_angle, "steering_wheel.angle");
+    add(StateKind::steering_wheel_momentum, "steering_wheel.momentum");
+    add(StateKind::steering_windup, "rack.windup"), add(StateKind::steering_windup, "steering_wheel.windup");
+    add(StateKind::assist_force, "assist.force");
 }
 
 void StateLayout::add_brakes(const VehicleDescription& description) {

@@ -7,6 +7,9 @@
 //   powertrain  of each power unit the rotor's momentum, wind-up, throttle and the converter's torque; the wind-up of each
 //               differential; the energy supplied
 //   brakes      where there is a brake system: the control pressure of each unit; pressure and temperature of each brake
+//   steering    where the rack moves on its own: rack and its momentum, steering wheel and its momentum, wind-up of the dry friction of
+//               both, force of the assist
+//   actuators   of adjustable dampers and active bars, where controllers command them: what each has come to
 #pragma once
 
 #include <span>
@@ -40,6 +43,13 @@ enum class StateKind {
     control_pressure,
     brake_pressure,
     brake_temperature,
+    rack_displacement,
+    rack_momentum,
+    steering_wheel_angle,
+    steering_wheel_momentum,
+    steering_windup,
+    assist_force,
+    actuator,
 };
 
 // What holds for all numbers of a kind.
@@ -79,7 +89,9 @@ public:
     const SuspensionPlaces& suspension(std::size_t i) const { return suspensions_[i]; }
     int trailer(std::size_t i) const { return trailers_[i]; }
     const PowertrainPlaces& powertrain() const { return powertrain_; }
-    int brakes() const { return brakes_; }  // of the first control pressure
+    int steering() const { return steering_; }    // of the rack's displacement
+    int actuators() const { return actuators_; }  // of the first one
+    int brakes() const { return brakes_; }        // of the first control pressure
 
 private:
     void add(StateKind kind, const std::string& name) { numbers_.push_back({kind, name}); }
@@ -89,12 +101,14 @@ private:
     void add_trailer(const TrailerDescription& trailer);
     void add_powertrain(const VehicleDescription& description);
     void add_brakes(const VehicleDescription& description);
+    void add_steering(const SteeringDescription& steering);
+    void add_actuators(const VehicleDescription& description);
 
     std::vector<StateNumber> numbers_;
     std::vector<SuspensionPlaces> suspensions_;
     std::vector<int> trailers_;
     PowertrainPlaces powertrain_{};
-    int brakes_ = 0;
+    int brakes_ = 0, steering_ = 0, actuators_ = 0;
 };
 
 }  // namespace hamilcar

@@ -60,7 +60,12 @@ template <class T>
 struct SuspensionDamper {
     ForceLine<T> line;
     Damper<T> damper;
-    static constexpr auto members() { return std::tuple(&SuspensionDamper::line, &SuspensionDamper::damper); }
+    int actuator;    // of its setting; -1: its force is as it stands
+    T soft, growth;  // its force times soft + growth * setting
+    static constexpr auto members() {
+        using D = SuspensionDamper;
+        return std::tuple(&D::line, &D::damper, &D::actuator, &D::soft, &D::growth);
+    }
 };
 
 // Pointers into a state.

@@ -12,6 +12,7 @@
 #include "hamilcar/force/hull.hpp"
 #include "hamilcar/math/gather.hpp"
 #include "hamilcar/math/paired.hpp"
+#include "hamilcar/steering/steering_system.hpp"
 #include "hamilcar/tire/list.hpp"
 #include "hamilcar/vehicle/state_layout.hpp"
 #include "hamilcar/vehicle/suspension.hpp"
@@ -22,7 +23,20 @@ template <class T>
 struct AntiRollBar {
     int left, right;  // wheels
     T rate;           // of the difference of their travels [N/m], or of the angles of the bar's arms [N m/rad]
-    static constexpr auto members() { return std::tuple(&AntiRollBar::left, &AntiRollBar::right, &AntiRollBar::rate); }
+    int actuator;     // of the share of its own force; -1: it has none
+    T max_force;      // [N]
+    static constexpr auto members() {
+        using B = AntiRollBar;
+        return std::tuple(&B::left, &B::right, &B::rate, &B::actuator, &B::max_force);
+    }
+};
+
+// Follows a command with a lag.
+template <class T>
+struct Actuator {
+    int command;
+    T rate, rest;  // [1/s]; where there are no commands
+    static constexpr auto members() { return std::tuple(&Actuator::command, &Actuator::rate, &Actuator::rest); }
 };
 
 template <class T>
@@ -36,16 +50,20 @@ struct Vehicle {
     Hull<T> hull;
     Powertrain<T> powertrain;
     BrakeSystem<T> brakes;
-    T gravity;     // [m/s^2]
-    T total_mass;  // of everything [kg]
+    SteeringSystem<T> steering;  // exists where the rack moves on its own
+    std::vector<Actuator<T>> actuators;
+    int actuator_place = 0;  // of the first one's number in a state
+    T gravity;               // [m/s^2]
+    T total_mass;            // of everything [kg]
     int state_size;
     int commands;     // that its actuators take (command_layout.hpp)
     int is_measured;  // whether its right-hand side reports what sensors read (block/measurement.hpp)
     static constexpr auto members() {
         using V = Vehicle;
         return std::tuple(&V::chassis, &V::chassis_inertia, &V::suspensions, &V::anti_roll_bars, &V::trailers,
-                          &V::aerodynamics, &V::hull, &V::powertrain, &V::brakes, &V::gravity, &V::total_mass,
-                          &V::state_size, &V::commands, &V::is_measured);
+                          &V::aerodynamics, &V::hull, &V::powertrain, &V::brakes, &V::steering, &V::actuators,
+                          &V::actuator_place, &V::gravity, &V::total_mass, &V::state_size, &V::commands,
+                          &V::is_measured);
     }
     std::vector<SuspensionPair<Paired<T>>> pairs;  // of neighboring suspensions, where T has pairs
     static constexpr auto derived_members() { return std::tuple(&Vehicle::pairs); }
@@ -56,6 +74,8 @@ struct Vehicle {
     void add_suspensions(const VehicleDescription& description, const StateLayout& layout);
     void add_powertrain(const VehicleDescription& description, const StateLayout& layout);
     void add_brakes(const VehicleDescription& description, const StateLayout& layout);
+    void add_steering(const VehicleDescription& description, const StateLayout& layout);
+    void add_actuators(const VehicleDescription& description, const StateLayout& layout);
 
     // Calls alone(index) for each single suspension and together(pair, its index) for each pair.
     template <class Alone, class Together>

@@ -9,6 +9,7 @@ from typing import Any, Union
 import numpy as np
 
 from . import _core
+from ._commands import CommandTable
 from ._documents import Scenario, Source, Vehicle, as_scenario, as_vehicle
 from ._simulation import Channels, ControlTargets
 from ._variation import FRICTION, Variation
@@ -58,6 +59,8 @@ class Batch:
         integrator: str | None = None,
         powered: bool | None = None,
         energy_balance: bool | None = None,
+        controllers: bool | None = None,
+        steering_mechanics: bool | None = None,
     ):
         if count < 1:
             raise ValueError(f"count = {count}: expected at least one car")
@@ -66,7 +69,8 @@ class Batch:
         self.vehicle = as_vehicle(vehicle)
         self.scenario = as_scenario(
             self.vehicle, scenario, speed=speed, position=position, yaw=yaw, friction=friction, step=step,
-            integrator=integrator, powered=powered, energy_balance=energy_balance,
+            integrator=integrator, powered=powered, energy_balance=energy_balance, controllers=controllers,
+            steering_mechanics=steering_mechanics,
         )
         self._variation = Variation(self.vehicle, self.scenario, vary)
         self._varied = {name: np.full(count, value) for name, value in self._variation.nominal.items()}
@@ -78,6 +82,7 @@ class Batch:
         self._count = count
         self._controls = ControlTargets(self._fleet.controls)
         self._channels = Channels(self._fleet.channels)
+        self._command_table = CommandTable(self._fleet.commands)
 
     def prepare(
         self,
@@ -138,6 +143,29 @@ class Batch:
     def control_info(self) -> dict[str, tuple[str, str, float, float]]:
         """Unit, meaning and range of every control."""
         return dict(self._controls.entries)
+
+    @property
+    def command_names(self) -> list[str]:
+        """The columns of ``commands`` and ``set_commands``; none without controllers."""
+        return list(self._command_table.number)
+
+    @property
+    def command_info(self) -> dict[str, tuple[str, str, float, float, float]]:
+        """Unit, meaning, value at rest and range of every command."""
+        return dict(self._command_table.entries)
+
+    @property
+    def commands(self) -> np.ndarray:
+        """What the actuators of all cars are told now, ``(n, k)`` with columns ``command_names``; a copy."""
+        return self._fleet.command_values()
+
+    def set_commands(self, values: Any, which: Which = None) -> None:
+        """Tells actuators of all cars, or of those of a mask or a list, from the next step on: an array ``(n, k)`` with a row for
+        each of these cars, or ``(k,)`` for all of them, columns ``command_names``, NaN for one that is left alone; or a dict of
+        single ones by name, a number or one for each of these cars. They hold as in Simulation.commands; ``command_info`` has their
+        units."""
+        cars = self._cars(which)
+        self._fleet.set_commands(cars, self._command_table.array(values, len(cars)))
 
     @property
     def channels(self) -> dict[str, tuple[str, str]]:

@@ -226,6 +226,8 @@ def as_scenario(
     integrator: str | None,
     powered: bool | None,
     energy_balance: bool | None,
+    controllers: bool | None = None,
+    steering_mechanics: bool | None = None,
 ) -> Scenario:
     """The scenario with what was asked for beside it; without one: a plane, straight ahead."""
     if scenario is None:
@@ -261,6 +263,12 @@ def as_scenario(
         changes["solver.integrator"] = integrator
     if energy_balance is not None:
         changes["solver.energy_balance"] = energy_balance
+    if controllers is not None:
+        if not isinstance(controllers, bool):
+            raise TypeError(f"controllers = {controllers!r}: expected True or False; controllers_off in a scenario names them")
+        changes["controllers_off"] = [] if controllers else ["all"]
+    if steering_mechanics is not None:
+        changes["steering_mechanics"] = steering_mechanics
     if changes:
         scenario.update(changes)
     return scenario

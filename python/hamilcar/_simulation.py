@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from . import _core
+from ._commands import Commands, CommandTable, Controllers
 from ._documents import Scenario, Source, Vehicle, as_scenario, as_vehicle
 from ._results import channel_error
 
@@ -64,7 +65,9 @@ class Simulation:
     Without a scenario it stands on an endless plane and rolls ahead at ``speed`` [m/s] (0 if left out); ``friction`` is the road's
     factor, ``step`` that of the integration [s], ``position`` where the vehicle's origin is on the ground [m] and ``yaw`` its
     heading [rad]. A vehicle with power units has a throttle and changes its gears by itself unless ``powered=False``, then a torque
-    at the wheels drives it. ``energy_balance=False`` saves a tenth of a step and the channels of energy.
+    at the wheels drives it. ``energy_balance=False`` saves a tenth of a step and the channels of energy. ``controllers=False`` leaves
+    all controllers out of the car, True keeps all that the vehicle has, whatever the scenario says. With ``steering_mechanics=True``
+    the rack moves on its own and hands hold the steering wheel: controls ``hands`` and ``steering_torque`` [N m] are there then.
 
     >>> simulation = Simulation("bmw_323i", speed=20.0)
     >>> simulation.step(20, steering_wheel=0.3)
@@ -84,15 +87,21 @@ class Simulation:
         integrator: str | None = None,
         powered: bool | None = None,
         energy_balance: bool | None = None,
+        controllers: bool | None = None,
+        steering_mechanics: bool | None = None,
     ):
         self.vehicle = as_vehicle(vehicle)
         self.scenario = as_scenario(
             self.vehicle, scenario, speed=speed, position=position, yaw=yaw, friction=friction, step=step,
-            integrator=integrator, powered=powered, energy_balance=energy_balance,
+            integrator=integrator, powered=powered, energy_balance=energy_balance, controllers=controllers,
+            steering_mechanics=steering_mechanics,
         )
         self._car = _core.Car(self.vehicle._core, self.scenario._core)
         self._controls = ControlTargets(self._car.controls)
         self._channels = Channels(self._car.channels)
+        self._command_table = CommandTable(self._car.commands)
+        self._commands = Commands(self._car, self._command_table)
+        self._controllers = Controllers(self._car)
 
     @property
     def time(self) -> float:
@@ -116,6 +125,26 @@ class Simulation:
     def control_info(self) -> dict[str, tuple[str, str, float, float]]:
         """Unit, meaning and range of every control."""
         return dict(self._controls.entries)
+
+    @property
+    def commands(self) -> Commands:
+        """What actuators are told, by the names of the channels without ``command.``:
+        ``commands["front_left.brake.inlet"] = 0.0``. One that is set holds from the next step on, until it is set anew or one of
+        the car's controllers changes it; ``update`` sets several at once. Without controllers there are none; with
+        ``kind = "external"`` alone nothing in the car changes them. ``command_info`` has their units and ranges."""
+        return self._commands
+
+    @property
+    def command_info(self) -> dict[str, tuple[str, str, float, float, float]]:
+        """Unit, meaning, value at rest and range of every command."""
+        return dict(self._command_table.entries)
+
+    @property
+    def controllers(self) -> Controllers:
+        """Which of the car's controllers are on, by their keywords, in the order in which they decide. ``controllers["esc"] = False``
+        switches one off: it forgets what it knew, and all commands go to rest until the others ask anew, at their next decisions.
+        How much each intervenes is a channel, ``"esc.activity"``."""
+        return self._controllers
 
     @property
     def channels(self) -> dict[str, tuple[str, str]]:
@@ -157,7 +186,7 @@ class Simulation:
         return self._car.state_names()
 
     def save(self) -> _core.Snapshot:
-        """This place in the run, to come back to; controls and the method's memory too."""
+        """This place in the run, to come back to; controls, commands, what controllers remember and the method's memory too."""
         return self._car.save()
 
     def restore(self, snapshot: _core.Snapshot) -> None:
@@ -165,7 +194,7 @@ class Simulation:
         self._car.restore(snapshot)
 
     def reset(self) -> None:
-        """Back to the start."""
+        """Back to the start, with all controllers on and commands at rest."""
         self._car.reset()
 
     def __repr__(self) -> str:

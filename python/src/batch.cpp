@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "commands.hpp"
 #include "controls.hpp"
 #include "hamilcar/io/error.hpp"
 #include "hamilcar/run/channels.hpp"
@@ -48,6 +49,7 @@ public:
 
     std::size_t size() const { return cars_.size(); }
     const DirectControls& controls() const { return cars_[0]->controls; }
+    const CommandLayout& commands() const { return cars_[0]->commands; }
     const std::vector<Channel>& channels() const { return cars_[0]->channels; }
     double step_size() const { return cars_[0]->simulation.scenario().solver.step; }
 
@@ -90,6 +92,28 @@ public:
             read(which, out.data());
         }
         return new_numbers(std::move(out), {size(), which.size()});
+    }
+
+    NewNumbers command_values() const {
+        const Turn turn(busy_);
+        const auto count = static_cast<std::size_t>(commands().size());
+        std::vector<double> out;
+        for (std::size_t car = 0; car < size(); ++car) {
+            const auto now = batch_->schedule(car).commands();
+            out.insert(out.end(), now.begin(), now.end());
+        }
+        return new_numbers(std::move(out), {size(), count});
+    }
+    // A row for each of these cars, from the next step on.
+    void set_commands(const Cars& cars, const Numbers& told) {
+        const Turn turn(busy_);
+        expect_commands(commands(), told, cars.size());
+        for (const std::size_t car : cars) check(car);
+        const auto count = static_cast<std::size_t>(commands().size());
+        for (std::size_t i = 0; i < cars.size(); ++i) {
+            batch_->change_inputs(
+                cars[i], [&](Schedule& schedule, Driver*) { tell_commands(told.data() + i * count, schedule); });
+        }
     }
 
     NewNumbers states() const {
@@ -210,7 +234,12 @@ private:
             if (!ended && chosen.all_compiled) return;
             const State<double> state = batch_->state(car);
             const Start& own = *cars_[car];
-            const Sample sample = sample_at(own.simulation.model(), state, batch_->schedule(car)(batch_->time(car)));
+            Sample sample = sample_at(own.simulation.model(), state, batch_->schedule(car)(batch_->time(car)));
+            Snapshot place;
+            if (own.simulation.control()) {
+                batch_->save(car, place);
+                sample.control = own.simulation.control(), sample.control_memory = place.control;
+            }
             for (std::size_t k = 0; k < which.size(); ++k) {
                 const Channel& channel = own.channels[which[k]];
                 if (ended || !channel.trace) to[car * which.size() + k] = channel.read(sample);
@@ -256,6 +285,8 @@ void add_batch(nb::module_& module) {
         .def("step", &Fleet::step, "steps"_a, "targets"_a.noconvert())
         .def("rollout", &Fleet::rollout, "steps"_a, "targets"_a.noconvert(), "rows"_a, "channels"_a)
         .def("values", &Fleet::values, "channels"_a)
+        .def("command_values", &Fleet::command_values)
+        .def("set_commands", &Fleet::set_commands, "cars"_a, "told"_a.noconvert())
         .def("states", &Fleet::states)
         .def("restart", &Fleet::restart, "cars"_a)
         .def("replace", &Fleet::replace, "cars"_a, "starts"_a)
@@ -267,7 +298,8 @@ void add_batch(nb::module_& module) {
         .def_prop_ro("engine", &Fleet::engine)
         .def_prop_ro("step_size", &Fleet::step_size)
         .def_prop_ro("channels", [](const Fleet& fleet) { return described(fleet.channels()); })
-        .def_prop_ro("controls", [](const Fleet& fleet) { return described(fleet.controls()); });
+        .def_prop_ro("controls", [](const Fleet& fleet) { return described(fleet.controls()); })
+        .def_prop_ro("commands", [](const Fleet& fleet) { return described(fleet.commands()); });
 }
 
 }  // namespace hamilcar::python

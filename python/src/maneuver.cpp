@@ -48,6 +48,7 @@ Driven drive(const std::string& name, const VehicleDocument& vehicle, nb::dict c
     if (scenario) {
         options.solver = scenario->description.solver, options.road = scenario->description.road;
         options.controllers_off = scenario->description.controllers_off;
+        options.steering_mechanics = scenario->description.steering_mechanics;
     }
     {
         const nb::gil_scoped_release release;

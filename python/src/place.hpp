@@ -13,7 +13,8 @@ struct Place {
     Snapshot snapshot;
     std::string integrator;
     double step = 0;         // [s]
-    std::vector<int> shape;  // of the model, and who drives
+    std::vector<int> shape;  // of the model, who drives, and what controllers remember
+    std::vector<std::string> controllers;
 
     explicit Place(const Simulation& of)
         : integrator(of.scenario().solver.integrator),
@@ -25,12 +26,16 @@ struct Place {
         for (const PowerUnitDescription& unit : of.vehicle().power_units) {
             shape.push_back(static_cast<int>(unit.gearbox.ratios.size()));
         }
+        shape.push_back(static_cast<int>(of.control_memory().size()));
+        for (const ControllerDescription& one : of.vehicle().controllers) controllers.push_back(one.kind);
     }
 
     void expect_of(const Simulation& car) const {
         const Place own(car);
-        if (own.shape == shape && own.integrator == integrator && own.step == step) return;
-        throw nb::value_error("this snapshot is of a car of another structure, or of another method or step");
+        const bool fits = own.shape == shape && own.controllers == controllers;
+        if (fits && own.integrator == integrator && own.step == step) return;
+        throw nb::value_error(
+            "this snapshot is of a car of another structure, with other controllers, or of another method or step");
     }
 };
 

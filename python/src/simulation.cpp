@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "commands.hpp"
 #include "controls.hpp"
 #include "documents.hpp"
 #include "hamilcar/io/error.hpp"
@@ -31,6 +32,7 @@ public:
         : simulation_(vehicle.description, scenario.description),
           schedule_(simulation_.schedule()),
           controls_(simulation_.vehicle(), simulation_.scenario(), schedule_),
+          commands_(simulation_.vehicle()),
           channels_(all_channels(simulation_.vehicle())) {
         simulation_.prepare();
         simulation_.save(start_);
@@ -76,6 +78,34 @@ public:
         }
         return out;
     }
+
+    NewNumbers command_values() const {
+        const Turn turn(busy_);
+        const auto now = simulation_.schedule().commands();
+        return new_numbers({now.begin(), now.end()}, {now.size()});
+    }
+    // From the next step on.
+    void set_commands(const Numbers& told) {
+        const Turn turn(busy_);
+        expect_commands(commands_, told, 1);
+        simulation_.change_inputs([&](Schedule& schedule, Driver*) { tell_commands(told.data(), schedule); });
+    }
+    std::vector<std::string> controllers() const {
+        std::vector<std::string> out;
+        for (std::size_t i = 0; i < controller_count(); ++i) out.push_back(simulation_.control()->keyword(i));
+        return out;
+    }
+    bool controller_is_on(std::size_t controller) const {
+        const Turn turn(busy_);
+        check(controller);
+        return simulation_.control()->is_on(controller, simulation_.control_memory());
+    }
+    void switch_controller(std::size_t controller, bool on) {
+        const Turn turn(busy_);
+        check(controller);
+        simulation_.switch_controller(controller, on);
+    }
+
     NewNumbers state() const {
         const Turn turn(busy_);
         const auto size = static_cast<std::size_t>(simulation_.model().vehicle.state_size);
@@ -120,9 +150,17 @@ public:
     const Simulation& simulation() const { return simulation_; }
     const std::vector<Channel>& channels() const { return channels_; }
     const DirectControls& controls() const { return controls_; }
+    const CommandLayout& commands() const { return commands_; }
     double step_size() const { return simulation_.scenario().solver.step; }
 
 private:
+    std::size_t controller_count() const {
+        return simulation_.control() ? simulation_.control()->controller_count() : 0;
+    }
+    void check(std::size_t controller) const {
+        if (controller < controller_count()) return;
+        throw nb::index_error(fmt::format("controller {}: the car has {}", controller, controller_count()).c_str());
+    }
     void go_back(const Snapshot& to) {
         simulation_.set_schedule(schedule_);
         simulation_.restore(to);
@@ -131,6 +169,7 @@ private:
     Simulation simulation_;
     Schedule schedule_;  // as at the start
     DirectControls controls_;
+    CommandLayout commands_;
     std::vector<Channel> channels_;
     Snapshot start_;
     mutable std::atomic<bool> busy_{false};
@@ -197,6 +236,10 @@ void add_simulation(nb::module_& module) {
             },
             "channels"_a)
         .def("control_values", &Car::control_values)
+        .def("command_values", &Car::command_values)
+        .def("set_commands", &Car::set_commands, "told"_a.noconvert())
+        .def("controller_is_on", &Car::controller_is_on, "controller"_a)
+        .def("switch_controller", &Car::switch_controller, "controller"_a, "on"_a)
         .def("state", &Car::state)
         .def("state_names",
              [](const Car& car) {
@@ -212,6 +255,8 @@ void add_simulation(nb::module_& module) {
              [](const Car& car) { return scene_json(car.simulation().vehicle(), car.simulation().scenario()); })
         .def_prop_ro("channels", [](const Car& car) { return described(car.channels()); })
         .def_prop_ro("controls", [](const Car& car) { return described(car.controls()); })
+        .def_prop_ro("commands", [](const Car& car) { return described(car.commands()); })
+        .def_prop_ro("controllers", &Car::controllers)
         .def_prop_ro("time", &Car::time)
         .def_prop_ro("steps_taken", &Car::steps_taken)
         .def_prop_ro("step_size", &Car::step_size)

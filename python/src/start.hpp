@@ -15,11 +15,13 @@ namespace hamilcar::python {
 struct Start {
     Simulation simulation;
     DirectControls controls;
+    CommandLayout commands;
     std::vector<Channel> channels;
 
     Start(const VehicleDocument& vehicle, const ScenarioDocument& scenario)
         : simulation(vehicle.description, scenario.description),
           controls(simulation.vehicle(), scenario.description, simulation.schedule()),
+          commands(simulation.vehicle()),
           channels(all_channels(simulation.vehicle())) {}
 };
 

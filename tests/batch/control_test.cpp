@@ -103,6 +103,23 @@ TEST_P(ControlledBatch, BeginsAgainTakesAnotherCarAndGoesBack) {
     expect_same_car(batch, 2, further, "from the batch to a Simulation");
 }
 
+// In single precision too a car's decisions are its own, whatever its lane and its neighbors.
+TEST_P(ControlledBatch, HasTheSameBitsInEveryLaneInSinglePrecision) {
+    const std::vector<Simulation> all = cars(5);
+    std::vector<const Simulation*> turned;
+    for (const Simulation& car : all) turned.insert(turned.begin(), &car);
+    BatchOptions single = options();
+    single.precision = Precision::single_precision;
+    Batch one(all, single), other(turned, single);
+    one.advance(400), other.advance(400);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::size_t there = all.size() - 1 - i;
+        const State<double> a = one.state(i), b = other.state(there);
+        for (std::size_t k = 0; k < a.values.size(); ++k) ASSERT_EQ(a.values[k], b.values[k]) << i << ", number " << k;
+        EXPECT_TRUE(std::ranges::equal(one.schedule(i).commands(), other.schedule(there).commands()));
+    }
+}
+
 TEST(ControlledBatchOfOneVehicle, RefusesCarsOfWhichOnlySomeHaveControllers) {
     std::vector<Simulation> all{stopping(0), stopping(0, {"all"})};
     try {

@@ -180,7 +180,8 @@ TEST(UsersController, SeesWhatSensorsShow) {
     Simulation run(read("\n[[controller]]\nkind = \"recorder\"\nrate_hz = 1000\n"
                         "[sensors.wheel_speed]\nrate_hz = 250\ndelay_s = 0.008\n"
                         "[sensors.pressure]\ndelay_s = 0.005\nresolution_bar = 0.5\n"
-                        "[sensors.steering_wheel]\nrate_hz = 100\n"),
+                        "[sensors.steering_wheel]\nrate_hz = 100\n"
+                        "[sensors.acceleration]\nresolution_m_per_s2 = 4\n"),
                    scenario());
     const std::vector<Truth> truth = driven(run, 60);
     const std::vector<Seen> seen = written(run);
@@ -193,6 +194,8 @@ TEST(UsersController, SeesWhatSensorsShow) {
         EXPECT_NEAR(at.brake_pressure, late, 0.5 * grain + 1) << step;
         EXPECT_NEAR(std::remainder(at.brake_pressure, grain), 0, 1) << step;
         EXPECT_NEAR(at.steering_wheel, truth[static_cast<std::size_t>(step / 10 * 10)].steering_wheel, tiny) << step;
+        EXPECT_NEAR(at.rotor_speed, measured_at(step / 4 * 4 - 8).rotor_speed, tiny * 1000) << step;
+        EXPECT_EQ(at.upward, 8) << "gravity in fours";
         EXPECT_NEAR(at.yaw_rate, measured_at(step).yaw_rate, tiny) << "this one has no sensor of its own";
     }
 }

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "hamilcar/bench/engine_car.hpp"
+#include "hamilcar/engine/flush_denormals.hpp"
 #include "hamilcar/run/simulation.hpp"
 #include "support/fleet.hpp"
 
@@ -115,6 +117,42 @@ TEST_F(ExternalControl, ListsItsCommandsByNameInTheVehiclesOrder) {
     free.controllers.clear();
     EXPECT_EQ(CommandLayout(free).size(), 0) << "without controllers all actuators are at rest";
     EXPECT_EQ(CommandLayout(free).brake(0), -1);
+}
+
+// Valves and limits half open in every way, on fluid and on air.
+TEST(ExternalCommands, HaveTheBitsOfThePlainProgramByEveryEngine) {
+    for (const char* name : {"bmw_e90_330i", "truck_semitrailer"}) {
+        VehicleDescription car = test::shipped(name);
+        car.controllers = {{.kind = "external", .rate = 100, .settings = {}}};
+        ScenarioDescription s = test::everything_moves(car);
+        s.brake = test::table({0.05, 0.1}, {0, 0.6});
+        s.drive = {};
+        s.gear = {{0}, {3}, Interpolation::steps};
+        s.throttle = test::table({0}, {0.5});
+        Simulation run(car, s);
+        std::vector<double> told = run.control()->layout().rest();
+        for (std::size_t i = 0; i < told.size(); ++i) told[i] = 0.5 + 0.5 * std::sin(static_cast<double>(i));
+        run.set_commands(told);
+        const SolverDescription& solver = run.scenario().solver;
+        Integrator<State<double>> integrator(*find_method(solver.integrator), solver.step,
+                                             run.model().vehicle.state_size, solver.tolerance);
+        State<double> plain = run.state();
+        constexpr long steps = 400;
+        {
+            const FlushDenormals flush;
+            for (long i = 0; i < steps; ++i) {
+                integration_block(run.model(), integrator, run.schedule(), static_cast<double>(i) * solver.step, plain);
+            }
+        }
+        for (const Engine* engine : engines()) {
+            EngineCar compiled(*engine, run);
+            compiled.advance(steps);
+            for (int i = 0; i < run.model().vehicle.state_size; ++i) {
+                const auto k = static_cast<std::size_t>(i);
+                ASSERT_EQ(compiled.state().values[k], plain.values[k]) << name << " by " << engine->name << ", " << i;
+            }
+        }
+    }
 }
 
 }  // namespace

@@ -218,8 +218,8 @@ TEST(VehicleFile, AStrutMayBeUnsteered) {
 TEST(VehicleFile, OptionalPartsMayBeLeftOut) {
     const TemporaryFolder folder;
     std::string text = shipped_car_text();
-    for (const std::string table :
-         {"[aerodynamics]", "[steering]", "[axle.bump_stop]", "[axle.brake]", "[axle.anti_roll_bar]"}) {
+    for (const std::string table : {"[aerodynamics]", "[steering]", "[steering.rack]", "[steering.column]",
+                                    "[steering.assist]", "[axle.bump_stop]", "[axle.brake]", "[axle.anti_roll_bar]"}) {
         const auto from = text.find(table), to = text.find("\n[", from + 1);
         text.erase(from, to - from);
     }

@@ -28,6 +28,12 @@ struct Curve {
         for (std::size_t i = 0; i < slope.size(); ++i) sum += slope[i] * (clamp(x, start[i], end[i]) - start[i]);
         return sum;
     }
+    // Of the segment at x; beyond both ends that of the last one there, as far as it goes.
+    T slope_at(const T& x) const {
+        T out = slope[0];
+        for (std::size_t i = 1; i < slope.size(); ++i) out = select(x < start[i], out, slope[i]);
+        return out;
+    }
 };
 
 }  // namespace hamilcar
