@@ -16,6 +16,7 @@ ScenarioDescription steered(const char* name, double duration, SignalDescription
     scenario.steering_input = SteeringInput::rack;
     scenario.steering = std::move(rack);
     scenario.solver.energy_balance = false;
+    scenario.controllers_off = {"all"};  // whose rates go with few steps only
     return scenario;
 }
 

@@ -60,15 +60,21 @@ void place_chassis(const Model<double>& model, const Vec3<double>& position, con
     }
 }
 
-void hold_inputs(const Model<double>& model, const Input<double>& input, State<double>& state) {
+void hold_pedal(const Model<double>& model, double command, State<double>& state) {
     const BrakeSystem<double>& brakes = model.vehicle.brakes;
     double* values = state.values.data();
-    const double pressure = brakes.pedal_pressure.at(input.brake);
+    const double pressure = brakes.pedal_pressure.at(command);
     for (std::size_t unit = 0; unit < brakes.source.size(); ++unit) brakes.control(unit, values) = pressure;
     for (std::size_t i = 0; i < brakes.lines.size(); ++i) {
         brakes.pressure(i, values) = brakes.lines[i].supply(pressure);
-        brakes.temperature(i, values) = ambient_temperature;
     }
+}
+
+void hold_inputs(const Model<double>& model, const Input<double>& input, State<double>& state) {
+    hold_pedal(model, input.brake, state);
+    const BrakeSystem<double>& brakes = model.vehicle.brakes;
+    double* values = state.values.data();
+    for (std::size_t i = 0; i < brakes.lines.size(); ++i) brakes.temperature(i, values) = ambient_temperature;
     for (std::size_t i = 0; i < model.vehicle.actuators.size(); ++i) {
         values[model.vehicle.actuator_place + static_cast<int>(i)] = model.vehicle.actuators[i].rest;
     }

@@ -37,6 +37,8 @@ void place_chassis(const Model<double>& model, const Vec3<double>& position, con
 // What inputs held for long make of a state: pressures of the brakes, their valves at rest and their temperatures at a start; a rack that
 // moves on its own where it is asked for, with the steering wheel, at rest.
 void hold_inputs(const Model<double>& model, const Input<double>& input, State<double>& state);
+// The pressures alone.
+void hold_pedal(const Model<double>& model, double command, State<double>& state);
 
 // The state at design: chassis at `position` with `R_GC`, V at design, everything at rest, loops not yet closed.
 State<double> design_state(const Model<double>& model, const Vec3<double>& position, const Mat3<double>& R_GC);

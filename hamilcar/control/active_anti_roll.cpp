@@ -12,6 +12,8 @@ namespace {
 
 constexpr double turn_time = 0.1;  // of the filter that tells a turn from bumps [s]
 
+constexpr double straight = 0.5;  // lateral acceleration up to which a road is straight, whatever its bumps [m/s^2]
+
 struct AntiRollMemory {
     double turning = 0;  // lateral acceleration, lagged [m/s^2]
     double activity = 0;
@@ -34,7 +36,7 @@ public:
         auto state = read_memory<AntiRollMemory>(memory);
         const double lateral = std::abs(measured.acceleration[1]);
         state.turning += (lateral - state.turning) * std::min(measured.interval / turn_time, 1.0);
-        const double share = std::min(state.turning / full_turn_, 1.0);
+        const double share = std::clamp((state.turning - straight) / (full_turn_ - straight), 0.0, 1.0);
         double used = 0, count = 0;
         for (std::size_t i = 0; i < car_.bars.size(); ++i) {
             if (!commands.has_bar(i)) continue;
@@ -65,7 +67,7 @@ ControllerKind active_anti_roll() {
         .keys = {{"stiffness_N_per_m", "of all bars together, of the difference of the wheels' travels", 60e3, 0, 1e6},
                  {"damping_N_s_per_m", "likewise, of the difference of their speeds", 2e3, 0, 1e5},
                  {"front_share", "of both that the bars in front have", 0.6, 0, 1},
-                 {"full_from_m_per_s2", "lateral acceleration from which on they act in full", 2, 0.1, 10}},
+                 {"full_from_m_per_s2", "lateral acceleration from which on they act in full", 2, 1, 10}},
         .lacks = [](const VehicleDescription& vehicle) -> std::string {
             const bool has = std::ranges::any_of(vehicle.anti_roll_bars,
                                                  [](const AntiRollBarDescription& bar) { return bar.max_force > 0; });

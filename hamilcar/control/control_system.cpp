@@ -62,7 +62,7 @@ ControlSystem::ControlSystem(const VehicleDescription& vehicle, const Controlled
 void ControlSystem::add_controller(const ControllerDescription& description, const ControlledCar& car) {
     const ControllerKind* kind = find_controller_kind(description.kind);
     if (!kind) throw std::invalid_argument("there is no kind of controller with the keyword " + description.kind);
-    const long period = period_of(description.rate, step_, fmt::format("controller[{}].rate_hz", controllers_.size()));
+    const long period = period_of(description.rate, step_, fmt::format("controller[{}].rate_hz", description.number));
     controllers_.push_back(
         {description.kind, kind->make(ControllerSettings(*kind, description), car), period, memory_size_});
     memory_size_ += 1 + controllers_.back().controller->memory_size();

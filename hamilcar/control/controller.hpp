@@ -42,7 +42,7 @@ struct ControlledCar {
     double mass = 0;              // of everything [kg]
     double yaw_inertia = 0;       // of the motor vehicle about its center of mass, estimated [kg m^2]
     double wheelbase = 1;         // [m]
-    double center_behind = 0;     // of the center of mass behind the steered axle [m]
+    double center_behind = 0;     // of the chassis's center of mass behind the steered axle [m]
     double wheels_per_angle = 0;  // turn of the steered wheels per turn of the steering wheel; 0: no steering [1]
     double full_pressure = 0;     // of the brakes at full pedal; 0: no brake system [Pa]
     std::vector<ControlledWheel> wheels;  // in the vehicle's order

@@ -39,14 +39,15 @@ public:
         state.heave += (up - state.offset) * dt - state.heave * std::min(dt / forgetting_time, 1.0);
         double used = 0, count = 0;
         for (std::size_t i = 0; i < car_.wheels.size(); ++i) {
-            if (!commands.has_damper(i)) continue;
             const ControlledWheel& wheel = car_.wheels[i];
+            if (!commands.has_damper(i) || wheel.unit != 0) continue;  // what shakes a trailer is not measured
             const double body = state.heave + measured.angular_rate[0] * wheel.y - measured.angular_rate[1] * wheel.x;
             const double apart = -measured.travel_speed[i];
             const double share = share_for(body, apart);
             const double setting = (share - wheel.damper_soft) / (wheel.damper_firm - wheel.damper_soft);
             commands.damper(i) = std::clamp(setting, 0.0, 1.0);
-            used += commands.damper(i), ++count;
+            const double rest = std::clamp((1 - wheel.damper_soft) / (wheel.damper_firm - wheel.damper_soft), 0.0, 1.0);
+            used += std::abs(commands.damper(i) - rest) / std::max(rest, 1 - rest), ++count;
         }
         state.activity = used / std::max(count, 1.0);
         write_memory(state, memory);
@@ -69,7 +70,7 @@ ControllerKind skyhook() {
     return {
         .keyword = "skyhook",
         .meaning = "semi-active dampers: firm where that calms the body",
-        .keys = {{"sky_damping", "between the body and the sky, over what the damper itself has", 1.5, 0, 10},
+        .keys = {{"sky_damping", "between the body and the sky, over what the damper itself has", 4, 0, 10},
                  {"least_damping", "share of the damper's own that always acts, for the wheel", 0.4, 0, 2}},
         .lacks = [](const VehicleDescription& vehicle) -> std::string {
             for (const SuspensionDescription& suspension : vehicle.suspensions) {

@@ -1,6 +1,7 @@
 // Controllers and sensors as a person writes them down.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@ namespace hamilcar {
 
 // A controller by the name of its kind (control/kinds.hpp) with those of its settings that the file states, in SI units.
 struct ControllerDescription {
+    std::size_t number = 0;  // in its file
     std::string kind;
     double rate = 100;  // decisions [1/s]
     std::vector<std::pair<std::string, double>> settings;

@@ -12,7 +12,7 @@ struct SteeringAssistDescription {
     double response_time = 0.003;       // first order [s]
     double lead_time = 0.006;           // of the torque that it answers to, against its own lag [s]
     double fastest_rack = 1;            // up to where it helps fully; a pump's flow ends there [m/s]
-    double rack_band = 0.02;            // over which it fades beyond [m/s]
+    double rack_band = 0.05;            // over which it fades beyond [m/s]
 };
 
 struct SteeringMechanicsDescription {

@@ -98,8 +98,9 @@ SpringDescription read_spring(const TableReader& table, bool turns) {
 // Between two shares of the force, by a command.
 void read_adjustment(const TableReader& table, DamperDescription& to) {
     constexpr Range lag{"number not below 0.002", 0.002};  // that explicit steps can follow [s]
-    to.soft = table.number("soft", not_negative);
-    to.firm = table.number("firm", positive);
+    constexpr Range above{"number not below 1", 1};
+    to.soft = table.number("soft", fraction);
+    to.firm = table.number("firm", above);
     to.response_time = table.number("response_time_s", lag, to.response_time);
     table.expect(to.firm > to.soft, "firm", "a share above that of 'soft'");
 }

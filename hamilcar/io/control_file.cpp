@@ -53,6 +53,7 @@ void read_all_controllers(const TableReader& file, VehicleDescription& vehicle) 
     std::vector<ControllerDescription> read;
     for (const TableReader& table : file.tables("controller")) {
         read.push_back(read_controller(table, vehicle));
+        read.back().number = read.size() - 1;
         table.expect(std::ranges::count(read, read.back().kind, &ControllerDescription::kind) == 1, "kind",
                      "a kind that no other controller has");
     }

@@ -80,23 +80,18 @@ void read_hands(const TableReader& hands, SteeringMechanicsDescription& to) {
 }
 
 void read_mechanics(const TableReader& table, SteeringDescription& steering) {
-    const auto rack = table.optional_table("rack"), column = table.optional_table("column");
-    const auto assist = table.optional_table("assist"), hands = table.optional_table("hands");
-    if (!table.is_recording()) {
-        const bool some = rack || column || assist || hands;
-        table.expect(!some || rack, "rack", "a table: the mechanics of a steering need [steering.rack]");
-        table.expect(!some || column, "column", "a table: the mechanics of a steering need [steering.column]");
-        if (!some) return;
-    }
-    SteeringMechanicsDescription to;
-    if (rack) read_rack(*rack, to);
-    if (column) read_column(*column, to);
-    constexpr double damping_ratio = 0.7;
-    to.hands_stiffness = default_hands_stiffness;
-    to.hands_damping = 2 * damping_ratio * std::sqrt(to.hands_stiffness * to.wheel_inertia);
-    if (hands) read_hands(*hands, to);
-    if (assist) read_assist(*assist, to.assist);
-    steering.mechanics = to;
+    table.choose({{}, {"rack", "column", "assist", "hands"}}, [&](std::size_t group) {
+        if (group == 0) return;
+        SteeringMechanicsDescription to;
+        read_rack(table.table("rack"), to);
+        read_column(table.table("column"), to);
+        constexpr double damping_ratio = 0.7;
+        to.hands_stiffness = default_hands_stiffness;
+        to.hands_damping = 2 * damping_ratio * std::sqrt(to.hands_stiffness * to.wheel_inertia);
+        if (const auto hands = table.optional_table("hands")) read_hands(*hands, to);
+        if (const auto assist = table.optional_table("assist")) read_assist(*assist, to.assist);
+        steering.mechanics = to;
+    });
 }
 
 }  // namespace

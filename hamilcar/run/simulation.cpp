@@ -126,6 +126,7 @@ void Simulation::start_driver() {
     for (int round = 0; round < 2; ++round) {  // a gear is chosen by speeds that a gear gives
         driver_->act(observation(), schedule_);
         set_rotors(model_, schedule_(0), state_);
+        hold_pedal(model_, schedule_(0).brake, state_);
     }
 }
 

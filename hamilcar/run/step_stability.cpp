@@ -43,10 +43,21 @@ Eigen::VectorXd rates_of(const Sample& s, State<double>& state, const std::vecto
     return out;
 }
 
+// As a controller may set them at any time.
+void make_dampers_firm(const Vehicle<double>& vehicle, State<double>& state) {
+    for (const Suspension<double>& suspension : vehicle.suspensions) {
+        for (const SuspensionDamper<double>& damper : suspension.dampers) {
+            if (damper.actuator < 0) continue;
+            state.values[static_cast<std::size_t>(vehicle.actuator_place + damper.actuator)] = 1;
+        }
+    }
+}
+
 // One-sided, as a step meets what has a kink.
 Eigen::MatrixXd jacobian(const Sample& s, const std::vector<int>& independent) {
     constexpr double share = 1e-7;
     State<double> state = s.state;
+    make_dampers_firm(s.model.vehicle, state);
     const Eigen::VectorXd here = rates_of(s, state, independent);
     const State<double> closed = state;
     Eigen::MatrixXd out(here.size(), here.size());

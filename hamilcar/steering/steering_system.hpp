@@ -145,7 +145,9 @@ struct SteeringSystem {
 private:
     T asked_assist(const T& torque, const T& rack_rate, const T& speed) const {
         const T size = assist.at(abs(torque)) * assist_share.at(abs(speed));
-        const T helps = clamp(T(T(1) - (abs(rack_rate) - fastest_rack) * inverse_rack_band), T(0), T(1));
+        // A pump or a motor falls short in the direction in which it helps.
+        const T along = select(torque < T(0), T(-rack_rate), rack_rate);
+        const T helps = clamp(T(T(1) - (along - fastest_rack) * inverse_rack_band), T(0), T(1));
         return select(torque < T(0), T(-size), size) * helps;
     }
 };

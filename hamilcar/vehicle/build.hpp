@@ -18,6 +18,8 @@ Vehicle<T>::Vehicle(const VehicleDescription& d)
       chassis_inertia(SpatialInertia<T>::about_origin(chassis.mass, chassis.center, chassis.inertia)),
       aerodynamics(d.aerodynamics),
       hull(d.hull),
+      brakes(),
+      steering(),
       gravity(d.gravity),
       total_mass(chassis.mass) {
     for (const AntiRollBarDescription& bar : d.anti_roll_bars) {

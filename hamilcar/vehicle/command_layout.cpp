@@ -40,7 +40,9 @@ void CommandLayout::add_dampers(const VehicleDescription& vehicle) {
         for (const SuspensionWheelDescription& wheel : suspension.wheels) {
             int first = -1;
             for (std::size_t i = suspension.dampers.size(); i-- > 0;) {
-                if (suspension.dampers[i].name == wheel.name) first = of_suspension[i];
+                const std::string& name = suspension.dampers[i].name;  // "front_left", further ones "front_left_2"
+                const bool own = name == wheel.name || name.starts_with(wheel.name + "_");
+                if (own && of_suspension[i] >= 0) first = of_suspension[i];
             }
             wheel_dampers_.push_back(first);
         }

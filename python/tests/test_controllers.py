@@ -26,7 +26,7 @@ def test_a_command_brakes_one_wheel_and_turns_the_car(told):
         simulation = hamilcar.Simulation(told, speed=25.0, powered=False)
         name = f"front_{side}.brake.pump"
         assert simulation.commands[name] == 0 == simulation[f"command.{name}"]
-        simulation.commands[name] = 1.0
+        simulation.commands.update({name: 1.0, f"front_{side}.brake.inlet": 0.0})
         simulation.step(300)
         assert simulation.commands[name] == 1 == simulation[f"command.{name}"]
         assert simulation[f"front_{side}.brake.pressure"] > 20
@@ -138,9 +138,11 @@ def brake_on_ice(simulation):
 
 
 def test_controllers_false_has_the_bits_of_controllers_off(sedan):
-    plain = {"name": "ice", "vehicle": sedan.source, "duration_s": 9.0, "road": {"friction": 0.3}, "initial": {"velocity_m_per_s": 15.0}}
+    plain = {
+        "name": "ice", "vehicle": sedan.source, "duration_s": 9.0, "road": {"friction": 0.3},
+        "initial": {"velocity_m_per_s": 15.0},
+    }
     off = brake_on_ice(hamilcar.Simulation(sedan, {**plain, "controllers_off": ["all"]}))
-    kwargs = dict(speed=15.0, friction=0.3)
     assert np.array_equal(brake_on_ice(hamilcar.Simulation(sedan, plain, controllers=False)).state, off.state)
     assert np.array_equal(
         brake_on_ice(hamilcar.Simulation(hamilcar.Vehicle(sedan, {"controllers": False}), plain)).state, off.state
@@ -151,14 +153,14 @@ def test_controllers_false_has_the_bits_of_controllers_off(sedan):
     assert off["front_left.wheel.spin"] < 1 < on["front_left.wheel.spin"]  # one locks, the other does not
     back = brake_on_ice(hamilcar.Simulation(sedan, {**plain, "controllers_off": ["all"]}, controllers=True))
     assert np.array_equal(back.state, on.state)
-    assert "command.front_left.brake.inlet" not in hamilcar.Simulation(sedan, controllers=False, **kwargs).channels
+    assert "command.front_left.brake.inlet" not in hamilcar.Simulation(sedan, plain, controllers=False).channels
 
 
 def keep_turning(simulation, radius):
     """One decision of an anti-lock system: valves by each wheel's slip."""
     speed, *spins = simulation.read(["chassis.speed", *(f"{wheel}.wheel.spin" for wheel in WHEELS)])
     for wheel, spin in zip(WHEELS, spins):
-        slip = 1 - spin * np.pi / 30 * radius / (speed / 3.6)
+        slip = 1 - spin * np.pi / 30 * radius / speed
         too_much, enough = slip > 0.2, slip > 0.1
         simulation.commands.update({
             f"{wheel}.brake.inlet": 0.0 if enough else 1.0,
@@ -167,13 +169,14 @@ def keep_turning(simulation, radius):
 
 
 def full_stop(vehicle, decide):
-    """Meters from 80 km/h to 10 km/h by a full brake, and how fast the slowest front wheel turned above 30 km/h [rpm]."""
+    """Meters from 80 km/h to 10 km/h by a full brake, and how fast the slowest front wheel turned above 30 km/h [rpm], once the
+    brakes had half a second to build up."""
     simulation = hamilcar.Simulation(vehicle, speed=80 / 3.6, powered=False, friction=0.8)
     slowest = np.inf
-    while (speed := simulation["chassis.speed"]) > 10:
+    while (speed := simulation["chassis.speed"]) > 10 / 3.6:
         if decide:
             keep_turning(simulation, 0.29)
-        if simulation.time > 0.5 and speed > 30:
+        if simulation.time > 0.5 and speed > 30 / 3.6:
             slowest = min(slowest, *simulation.read(["front_left.wheel.spin", "front_right.wheel.spin"]))
         simulation.step(5, brake=1.0)
         assert simulation.time < 10
@@ -195,14 +198,14 @@ def test_a_batch_tells_each_car(told):
     k = len(batch.command_names)
     assert batch.command_names[2] == "front_left.brake.pump" and batch.command_info["front_left.brake.pump"][0] == "1"
     batch.step(100)
-    batch.set_commands({"front_left.brake.pump": shares})
+    batch.set_commands({"front_left.brake.inlet": 0.0, "front_left.brake.pump": shares})
     batch.step(300)
     yaw = batch["chassis.yaw_rate"]
     assert (np.diff(yaw) > 0.1).all()
     for i in (1, 4):
         alone = hamilcar.Simulation(told, speed=25.0, powered=False)
         alone.step(100)
-        alone.commands["front_left.brake.pump"] = shares[i]
+        alone.commands.update({"front_left.brake.inlet": 0.0, "front_left.brake.pump": shares[i]})
         alone.step(300)
         assert np.array_equal(alone.state, batch.states[i])
     row = np.full(k, np.nan)
@@ -218,11 +221,11 @@ def test_a_batch_tells_each_car(told):
     batch.reset([1])
     assert np.array_equal(batch.commands[1], [info[2] for info in batch.command_info.values()])
     for values, error, words in (
-        (np.zeros((4, k)), ValueError, r"expected \(5, 14\) or \(14,\)"),
+        (np.zeros((4, k)), ValueError, r"expected \(5, 12\) or \(12,\)"),
         (np.full(k, 2.0), ValueError, "front_left.brake.inlet = 2: expected 0 to 1"),
         ({"front_left.brake.pmp": 0.0}, KeyError, "did you mean 'front_left.brake.pump'"),
         ({"front_left.brake.pump": np.zeros(4)}, ValueError, r"array of shape \(5,\)"),
-        ("all", ValueError, ""),
+        ("all", ValueError, "could not convert"),
     ):
         with pytest.raises(error, match=words):
             batch.set_commands(values)
@@ -238,7 +241,7 @@ def test_a_batch_shows_what_controllers_do(sedan):
             car.step(10, brake=1.0)
         assert np.array_equal(batch.read(channels)[1], alone.read(channels))
         most = np.maximum(most, alone.read(channels))
-    assert most[0] > 0 and most[2] == 1
+    assert most[0] > 0 and most[2] > 0.5
 
 
 def test_a_snapshot_belongs_to_the_controllers_of_its_car(sedan, told):
@@ -256,8 +259,9 @@ def test_a_steering_wheel_that_is_let_go_comes_back(sedan):
     simulation.step(1500, steering_wheel=1.0, drive_torque=150.0)
     held = simulation["steering.wheel"]
     assert held == pytest.approx(np.degrees(1.0), abs=1.0)
-    simulation.step(3000, hands=0.0)
-    assert abs(simulation["steering.wheel"]) < 0.4 * held
+    simulation.step(50, hands=0.0)
+    simulation.step(3000)
+    assert abs(simulation["steering.wheel"]) < 0.2 * held
     assert abs(simulation["steering.hands_torque"]) < 1e-9
 
 

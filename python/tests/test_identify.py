@@ -22,7 +22,7 @@ def times(rows=125):
 
 def drive(car, controls, speed, channels):
     """Columns of channels from a car that is stepped by hand."""
-    simulation = hamilcar.Simulation(car, speed=speed, step=STEP, integrator="rk4", powered=False)
+    simulation = hamilcar.Simulation(car, speed=speed, step=STEP, integrator="rk4", powered=False, controllers=False)
     rows = []
     for i in range(len(next(iter(controls.values())))):
         simulation.step(STEPS, **{name: float(values[i]) for name, values in controls.items()})

@@ -27,9 +27,11 @@ std::vector<std::string> kinds() {
     return out;
 }
 VehicleDescription vehicle_of(const std::string& kind) {
-    if (!kind.starts_with("tire_")) return test::shipped(kind);
+    const bool is_tire = kind.starts_with("tire_");
+    VehicleDescription car = test::shipped(is_tire ? "bmw_323i" : kind);
+    car.controllers.clear();  // whose decisions have no derivatives
+    if (!is_tire) return car;
     const std::string tire = kind.substr(5);
-    VehicleDescription car = test::shipped("bmw_323i");
     for (SuspensionDescription& suspension : car.suspensions) {
         for (SuspensionWheelDescription& wheel : suspension.wheels) {
             if (tire == "magic") wheel.tire = test::magic_tire();

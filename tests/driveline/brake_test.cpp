@@ -21,7 +21,7 @@ struct BrakedWheel {
 // A Runge-Kutta step of a wheel turned by `torque` against the brake.
 void advance(BrakedWheel& wheel, double command, double torque, double h) {
     const auto rate = [&](const BrakedWheel& at) {
-        const auto out = brake.evaluate(command, at.spin, at.windup);
+        const auto out = brake.evaluate(brake.limit(command), at.spin, at.windup);
         return BrakedWheel{at.spin, (torque + out.torque) / inertia, out.windup_rate};
     };
     const auto moved = [&](const BrakedWheel& k, double share) {
@@ -54,7 +54,7 @@ TEST(Brake, ValveReducesTheSlopeAboveItsCommand) {
     for (const auto& [command, torque] :
          {std::pair{0.0, 0.0}, {0.2, 160.0}, {0.4, 320.0}, {0.6, 360.0}, {1.0, 440.0}}) {
         EXPECT_NEAR(behind.limit(command), torque, 1e-12) << command;
-        EXPECT_NEAR(behind.evaluate(command, 30, 1).torque, -torque, 1e-12) << command;
+        EXPECT_NEAR(behind.evaluate(behind.limit(command), 30, 1).torque, -torque, 1e-12) << command;
     }
     for (const double command : {0.0, 0.3, 0.7, 1.0}) EXPECT_EQ(brake.limit(command), command * 1650) << "no valve";
 }
@@ -63,10 +63,12 @@ TEST(Brake, SlipsWithExactlyItsLimitAgainstTheSpin) {
     for (const double spin : {80.0, 0.5, -0.5, -80.0}) {
         for (const double command : {1.0, 0.2}) {
             double windup = 0;
-            for (int i = 0; i < 20000; ++i) windup += 1e-4 * brake.evaluate(command, spin, windup).windup_rate;
+            for (int i = 0; i < 20000; ++i)
+                windup += 1e-4 * brake.evaluate(brake.limit(command), spin, windup).windup_rate;
             const double limit = command * brake.max_torque;
-            EXPECT_EQ(brake.evaluate(command, spin, windup).torque, spin > 0 ? -limit : limit);
-            EXPECT_NEAR(brake.evaluate(command, spin, windup).windup_rate, 0, 1e-9) << "the wind-up has an end";
+            EXPECT_EQ(brake.evaluate(brake.limit(command), spin, windup).torque, spin > 0 ? -limit : limit);
+            EXPECT_NEAR(brake.evaluate(brake.limit(command), spin, windup).windup_rate, 0, 1e-9)
+                << "the wind-up has an end";
         }
     }
 }
@@ -82,9 +84,9 @@ TEST(Brake, SlidesAboveItsLimit) {
 
 TEST(Brake, ReleasesAtOnceAndUnwinds) {
     const double wound = 0.08;
-    for (const double spin : {-3.0, 0.0, 3.0}) EXPECT_EQ(brake.evaluate(0, spin, wound).torque, 0);
+    for (const double spin : {-3.0, 0.0, 3.0}) EXPECT_EQ(brake.evaluate(brake.limit(0), spin, wound).torque, 0);
     double windup = wound;
-    for (int i = 0; i < 1000; ++i) windup += 1e-5 * brake.evaluate(0, 0, windup).windup_rate;
+    for (int i = 0; i < 1000; ++i) windup += 1e-5 * brake.evaluate(brake.limit(0), 0, windup).windup_rate;
     EXPECT_NEAR(windup, wound / std::numbers::e, 1e-3 * wound)
         << "at 100/s for 10 ms; Euler's rule errs by h/2 of 100/s";
 }
@@ -98,7 +100,8 @@ TEST(Brake, WithoutABrakeThereIsNoTorque) {
 TEST(Brake, IsTheSameInBothDirections) {
     for (const double spin : {0.01, 2.0, 40.0}) {
         for (const double windup : {-0.09, -0.01, 0.0, 0.03, 0.2}) {
-            const auto forward = brake.evaluate(0.6, spin, windup), backward = brake.evaluate(0.6, -spin, -windup);
+            const auto forward = brake.evaluate(brake.limit(0.6), spin, windup),
+                       backward = brake.evaluate(brake.limit(0.6), -spin, -windup);
             EXPECT_EQ(forward.torque, -backward.torque);
             EXPECT_EQ(forward.windup_rate, -backward.windup_rate);
         }
@@ -128,8 +131,9 @@ TEST(Brake, NeverAddsEnergyOverACycle) {
                 start = windup, taken = turnover = 0;
                 const double h = period / steps;
                 for (int i = 0; i < steps; ++i) {  // midpoint rule
-                    const double half = windup + h / 2 * brake.evaluate(0.5, spin_at(i * h), windup).windup_rate;
-                    const auto middle = brake.evaluate(0.5, spin_at((i + 0.5) * h), half);
+                    const double half =
+                        windup + h / 2 * brake.evaluate(brake.limit(0.5), spin_at(i * h), windup).windup_rate;
+                    const auto middle = brake.evaluate(brake.limit(0.5), spin_at((i + 0.5) * h), half);
                     taken -= h * middle.torque * spin_at((i + 0.5) * h);
                     turnover += h * std::abs(middle.torque * spin_at((i + 0.5) * h));
                     windup += h * middle.windup_rate;
@@ -152,7 +156,7 @@ TEST(Brake, NeverAddsEnergyWhenReleasedAndApplied) {
             taken = 0;
             const auto turn = [&](double command, double speed, double duration) {
                 for (int i = 0; i < std::lround(duration / h); ++i) {
-                    const auto out = brake.evaluate(command, speed, windup);
+                    const auto out = brake.evaluate(brake.limit(command), speed, windup);
                     taken -= h * out.torque * speed;
                     windup += h * out.windup_rate;
                 }

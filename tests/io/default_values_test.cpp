@@ -72,11 +72,13 @@ TEST_P(DefaultValues, OfTheDrivelineAreWithinAFactorOfThree) {
     }
 }
 
-// The rotor's inertia is the one key of that name outside bodies: a number and no list.
+// The rotor's inertia is the one key of that name behind the first power unit.
 TEST_P(DefaultValues, OfTheRotorsAreWithinAFactorOfTwoAndAHalf) {
     const std::string text = read_file(test::source_path("vehicles/" + GetParam() + ".toml"));
-    const VehicleDescription car =
-        read_in(folder_, std::regex_replace(text, std::regex("\ninertia_kg_m2 = [0-9.]+[^\n]*"), "\n"));
+    const std::size_t units = std::min(text.find("[[power_unit]]"), text.size());
+    const VehicleDescription car = read_in(
+        folder_, text.substr(0, units) +
+                     std::regex_replace(text.substr(units), std::regex("\ninertia_kg_m2 = [0-9.]+[^\n]*"), "\n"));
     for (std::size_t i = 0; i < car.power_units.size(); ++i) {
         expect_factor(car.power_units[i].inertia, shipped_.power_units[i].inertia, 2.5, "rotor");
     }
