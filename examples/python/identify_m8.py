@@ -31,7 +31,6 @@ def car():
         changes[f"tire.{name}.friction"] = 1.3  # what it brakes with later on
     changes["axle.front.brake.max_torque_N_m"] = 0.30 * 17500.0
     changes["axle.rear.brake.max_torque_N_m"] = 0.20 * 17500.0
-    changes["axle.rear.brake.valve.slope"] = 1.0
     changes["aerodynamics.drag_coefficient"] = 0.33
     changes["aerodynamics.frontal_area_m2"] = 2.25
     return e90.changed(changes)

@@ -25,6 +25,7 @@ constexpr double trusted_driven = 1.5;
 constexpr double grade_time = 1;       // of the filter that finds the weight [s]
 constexpr double max_grade = 4;        // a slope of 40 % [m/s^2]
 constexpr double motion_time = 0.008;  // of the filter of treads' accelerations, against noise of speed sensors [s]
+constexpr double creeping = 0.3;       // slower than that a car whose wheels stand is believed to stand [m/s]
 constexpr double no_pressure = .01;    // of full pressure: the brake does not touch
 constexpr double pressed = .01;        // of a pedal's travel
 
@@ -95,7 +96,9 @@ void update_speed(ReferenceSpeed& reference, const ControlledCar& car, const Mea
     const double doubt =
         margin + relative_margin * std::abs(reference.acceleration) + growth * std::max(reference.unseen - overdue, 0.);
     const double drop = wheels.easy ? trusted : wheels.not_more ? trusted_driven : doubt;
-    const double lowest = reference.speed + (reference.acceleration - drop) * interval;
+    // A car whose wheels stand does not begin to slide by what an accelerometer feels on a slope.
+    const bool at_rest = reference.speed < creeping && std::abs(wheels.speed) < creeping;
+    const double lowest = at_rest ? 0 : reference.speed + (reference.acceleration - drop) * interval;
     const double highest = reference.speed + (reference.acceleration + (wheels.not_less ? trusted : doubt)) * interval;
     const double rolled = std::max(wheels.speed, 0.);
     const double speed = std::max(std::clamp(rolled, lowest, highest), 0.);

@@ -192,22 +192,20 @@ const std::vector<BadInput> bad_steering{
      "stop_stiffness_N_per_m = 3e6\n",
      "",
      "[steering]",
-     {"'steering.rack' is missing: expected a table: the mechanics of a steering need [steering.rack]"}},
+     {"'steering.rack' is missing: expected a table"}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Files, BadSteering, testing::ValuesIn(bad_steering),
                          [](const auto& run) { return run.param.name; });
 
 TEST(BadSteering, OnePartWantsTheOthers) {
-    expect_error(
-        [] { read_steering_of(std::string(ratio_alone) + "rack.mass_kg = 3\n"); }, ExitCode::bad_file,
-        {"'steering.column' is missing: expected a table: the mechanics of a steering need [steering.column]"});
+    expect_error([] { read_steering_of(std::string(ratio_alone) + "rack.mass_kg = 3\n"); }, ExitCode::bad_file,
+                 {"'steering.column' is missing: expected a table"});
     for (const char* part :
          {"column.inertia_kg_m2 = 0.04\ncolumn.torsion_bar_stiffness_N_m_per_rad = 90\n",
           "assist.torque_N_m = [0, 5]\nassist.force_N = [0, 2e3]\n", "hands.stiffness_N_m_per_rad = 500\n"}) {
-        expect_error(
-            [&] { read_steering_of(std::string(ratio_alone) + part); }, ExitCode::bad_file,
-            {"'steering.rack' is missing: expected a table: the mechanics of a steering need [steering.rack]"});
+        expect_error([&] { read_steering_of(std::string(ratio_alone) + part); }, ExitCode::bad_file,
+                     {"'steering.rack' is missing: expected a table"});
     }
 }
 
