@@ -50,10 +50,11 @@ TEST_F(SteeringAssist, FollowsItsMapOnBothSides) {
 
 TEST_F(SteeringAssist, FadesWhereThePumpDoesNotFollow) {
     for (const double way : {1.0, -1.0}) {
-        EXPECT_NEAR(asked(4.5, way * 0.29, 0), 1550, 1e-9);
-        EXPECT_NEAR(asked(4.5, way * 0.31, 0), 1550 * 0.8, 1e-9);
-        EXPECT_NEAR(asked(4.5, way * 0.34, 0), 1550 * 0.2, 1e-9);
-        EXPECT_NEAR(asked(4.5, way * 0.4, 0), 0, 1e-9);
+        EXPECT_NEAR(asked(way * 4.5, way * 0.29, 0), way * 1550, 1e-9);
+        EXPECT_NEAR(asked(way * 4.5, way * 0.31, 0), way * 1550 * 0.8, 1e-9);
+        EXPECT_NEAR(asked(way * 4.5, way * 0.34, 0), way * 1550 * 0.2, 1e-9);
+        EXPECT_NEAR(asked(way * 4.5, way * 0.4, 0), 0, 1e-9);
+        EXPECT_NEAR(asked(way * 4.5, way * -0.4, 0), way * 1550, 1e-9) << "pushed back, it needs no flow";
     }
 }
 
