@@ -29,8 +29,8 @@ double noise(std::uint64_t seed, std::uint64_t sensor, std::uint64_t sample) {
 
 }  // namespace
 
-Sensors::Sensors(std::vector<Group> groups, std::uint64_t seed, double step) : seed_(seed) {
-    for (Group& group : groups) {
+Sensors::Sensors(const std::vector<Group>& groups, std::uint64_t seed, double step) : seed_(seed) {
+    for (const Group& group : groups) {
         const SensorDescription& sensor = group.sensor;
         Channels one{.group = group, .interval = 1, .delay = 0, .memory = memory_};
         if (sensor.interval > 0) one.interval = std::max(1L, std::lround(sensor.interval / step));

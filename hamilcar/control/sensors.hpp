@@ -20,7 +20,7 @@ public:
         std::size_t first, count;
     };
     // `step` in seconds; intervals are multiples of it, see `interval_steps`.
-    Sensors(std::vector<Group> groups, std::uint64_t seed, double step);
+    Sensors(const std::vector<Group>& groups, std::uint64_t seed, double step);
 
     // Numbers that are measured, and those that it remembers.
     std::size_t size() const { return size_; }

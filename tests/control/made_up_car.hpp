@@ -6,7 +6,7 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
+#include <concepts>
 
 #include "hamilcar/control/kinds.hpp"
 
@@ -84,7 +84,8 @@ public:
     }
 
     // Decisions for a time [s], each about `doing(time since this call)`.
-    void go(double duration, const std::function<Doing(double)>& doing) {
+    template <std::invocable<double> Course>
+    void go(double duration, const Course& doing) {
         const long decisions = std::lround(duration / interval_);
         for (long i = 0; i < decisions; ++i) decide(doing(static_cast<double>(i) * interval_));
     }
