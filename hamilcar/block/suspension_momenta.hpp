@@ -65,7 +65,7 @@ BarForces<T> anti_roll_forces(const Vehicle<T>& vehicle, const State<T>& state, 
     for (const AntiRollBar<T>& bar : vehicle.anti_roll_bars) {
         T pull = bar.rate * (deflection[bar.left] - deflection[bar.right]);
         if (bar.actuator >= 0) {
-            const T own = bar.max_force * state.values[static_cast<std::size_t>(vehicle.actuator_place + bar.actuator)];
+            const T own = bar.max_force * state.values.data()[vehicle.actuator_place + bar.actuator];
             out.active[bar.left] -= own, out.active[bar.right] += own;
             pull += own;
         }
@@ -84,8 +84,7 @@ std::array<T, max_axial_elements> damper_shares(const Vehicle<T>& vehicle, const
         const SuspensionDamper<T>& damper = suspension.dampers[i];
         out[i] = T(1);
         if (damper.actuator < 0) continue;
-        const auto place = static_cast<std::size_t>(vehicle.actuator_place + damper.actuator);
-        out[i] = damper.soft + damper.growth * state.values[place];
+        out[i] = damper.soft + damper.growth * state.values.data()[vehicle.actuator_place + damper.actuator];
     }
     return out;
 }

@@ -48,7 +48,7 @@ void make_dampers_firm(const Vehicle<double>& vehicle, State<double>& state) {
     for (const Suspension<double>& suspension : vehicle.suspensions) {
         for (const SuspensionDamper<double>& damper : suspension.dampers) {
             if (damper.actuator < 0) continue;
-            state.values[static_cast<std::size_t>(vehicle.actuator_place + damper.actuator)] = 1;
+            state.values.data()[vehicle.actuator_place + damper.actuator] = 1;
         }
     }
 }
