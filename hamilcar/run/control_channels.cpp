@@ -46,16 +46,30 @@ void add_brake_channels(const VehicleDescription& vehicle, std::vector<Channel>&
     });
 }
 
+// A run without power units has no commands of theirs, and those behind them move up.
+struct CommandPlaces {
+    int first_unit, units;
+    int in_run(int command, bool powered) const {
+        if (powered || command < first_unit) return command;
+        return command < first_unit + units ? -1 : command - units;
+    }
+};
+
 }  // namespace
 
 void add_control_channels(const VehicleDescription& vehicle, std::vector<Channel>& list) {
     add_brake_channels(vehicle, list);
     const CommandLayout layout(vehicle);
-    for (std::size_t i = 0; i < layout.commands().size(); ++i) {
-        const Command& command = layout.commands()[i];
-        list.push_back({{"command." + command.name, command.unit, command.meaning}, [i](const auto& s) {
+    const int units =
+        vehicle.controllers.empty() ? 0 : UnitCommand::size * static_cast<int>(vehicle.power_units.size());
+    const CommandPlaces places{units > 0 ? layout.unit(0) : layout.size(), units};
+    for (int i = 0; i < layout.size(); ++i) {
+        const Command& command = layout.commands()[static_cast<std::size_t>(i)];
+        list.push_back({{"command." + command.name, command.unit, command.meaning},
+                        [i, places, rest = command.rest](const auto& s) {
                             using T = NumberOf<decltype(s)>;
-                            return T(s.input.commands[i]);
+                            const int at = places.in_run(i, s.model.vehicle.powertrain.exists());
+                            return s.input.commands && at >= 0 ? T(s.input.commands[at]) : T(rest);
                         }});
     }
     for (std::size_t i = 0; i < vehicle.controllers.size(); ++i) {
