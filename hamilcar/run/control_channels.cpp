@@ -46,6 +46,14 @@ void add_brake_channels(const VehicleDescription& vehicle, std::vector<Channel>&
     });
 }
 
+// Of a controller that a scenario may have left out.
+double activity_of(const Sample& s, const std::string& kind) {
+    for (std::size_t i = 0; s.control && i < s.control->controller_count(); ++i) {
+        if (s.control->keyword(i) == kind) return s.control->activity(i, s.control_memory);
+    }
+    return 0;
+}
+
 // A run without power units has no commands of theirs, and those behind them move up.
 struct CommandPlaces {
     int first_unit, units;
@@ -72,11 +80,11 @@ void add_control_channels(const VehicleDescription& vehicle, std::vector<Channel
                             return s.input.commands && at >= 0 ? T(s.input.commands[at]) : T(rest);
                         }});
     }
-    for (std::size_t i = 0; i < vehicle.controllers.size(); ++i) {
-        const std::string& kind = vehicle.controllers[i].kind;
+    for (const ControllerDescription& one : vehicle.controllers) {
+        const std::string& kind = one.kind;
         list.push_back(
             {{kind + ".activity", "1", "of that controller, 0 to 1", io::ChannelRole::controller_activity, kind},
-             [i](const Sample& s) { return s.control ? s.control->activity(i, s.control_memory) : 0; },
+             [kind](const Sample& s) { return activity_of(s, kind); },
              true});
     }
 }
