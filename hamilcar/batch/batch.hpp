@@ -78,6 +78,8 @@ public:
         });
     }
     const Schedule& schedule(std::size_t car) const { return drivers_[car].schedule; }
+    // What its sensors and controllers remember; empty without any.
+    std::span<const double> control_memory(std::size_t car) const { return drivers_[car].control_memory; }
     const Simulation& simulation(std::size_t car) const { return *cars_[car]; }  // that the car started as
 
     // What to read off every car, compiled for the batch.

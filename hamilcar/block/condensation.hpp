@@ -35,7 +35,7 @@ struct CondensedUnit {
 };
 
 // What suspensions add to the equation of a rack that moves on its own, c^T v_1 + inertia rack' = P_rack - momentum, and by c to that of
-// the chassis (steering_velocity.hpp).
+// the chassis (velocity.hpp).
 template <class T>
 struct RackCoupling {
     Spatial<T> c = Spatial<T>::Zero();

@@ -20,15 +20,24 @@ struct MeasurementPlaces {
     int rotor_speed;     // of each power unit [rad/s]
     int size;
 
+    MeasurementPlaces(int wheels, int units)
+        : brake_pressure(wheel_speed + wheels),
+          travel(brake_pressure + wheels),
+          travel_speed(travel + wheels),
+          rotor_speed(travel_speed + wheels),
+          size(rotor_speed + units) {}
     template <class T>
-    explicit MeasurementPlaces(const Vehicle<T>& vehicle) {
+    explicit MeasurementPlaces(const Vehicle<T>& vehicle)
+        : MeasurementPlaces(wheels_of(vehicle), static_cast<int>(vehicle.powertrain.units.size())) {}
+
+private:
+    template <class T>
+    static int wheels_of(const Vehicle<T>& vehicle) {
         int wheels = 0;
-        for (const Suspension<T>& suspension : vehicle.suspensions)
+        for (const Suspension<T>& suspension : vehicle.suspensions) {
             wheels += static_cast<int>(suspension.wheels.size());
-        brake_pressure = wheel_speed + wheels;
-        travel = brake_pressure + wheels, travel_speed = travel + wheels;
-        rotor_speed = travel_speed + wheels;
-        size = rotor_speed + static_cast<int>(vehicle.powertrain.units.size());
+        }
+        return wheels;
     }
 };
 inline constexpr std::size_t max_measurements =
@@ -50,14 +59,12 @@ void measure(const Vehicle<T>& vehicle, const State<T>& state, const Velocity<T,
     const T* values = state.values.data();
     const BrakeSystem<T>& brakes = vehicle.brakes;
     to[MeasurementPlaces::control_pressure] = brakes.exists() ? T(brakes.control(0, values)) : T(0);
-    for (int i = MeasurementPlaces::wheel_speed; i < places.brake_pressure; ++i) {
-        to[i] = carrier_spin(vehicle, state, velocity, i - MeasurementPlaces::wheel_speed);
-    }
     for (const Suspension<T>& suspension : vehicle.suspensions) {
         const auto s = static_cast<std::size_t>(&suspension - vehicle.suspensions.data());
         const SuspensionVelocity<T>& at = velocity.suspensions[s];
         for (std::size_t w = 0; w < suspension.wheels.size(); ++w) {
             const int number = suspension.first_wheel + static_cast<int>(w);
+            to[MeasurementPlaces::wheel_speed + number] = momenta.suspensions[s].wheels[w].spin;
             const Spatial<T> relative = at.motion[suspension.wheels[w].frame] - unit_motion(suspension.unit, velocity);
             to[places.travel + number] = at.center[w][2] - suspension.wheels[w].wheel.center[2];
             to[places.travel_speed + number] = velocity_at<T>(relative, at.center[w])[2];

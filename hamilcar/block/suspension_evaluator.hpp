@@ -27,9 +27,9 @@ struct SuspensionMomenta {
     SuspensionMomenta() {}
 };
 
-// What is computed along the motion that the rack gives: its force where it moves on its own; the work of who prescribes it; nothing
-// where no account of energy is kept.
-enum class RackKind { free, prescribed, unpaid };
+// What is computed along the motion that the rack gives: its force where it moves on its own; where it is prescribed, the work of that
+// force, or nothing where no balance of energy is kept.
+enum class RackKind { free, prescribed, without_work };
 
 // What other parts of the car do to a wheel.
 template <class T>
@@ -60,7 +60,7 @@ public:
         const RackMotion<T>& rack = input.rack;
         suspension.linkage.find_rates(at_, velocity.own.V_rate, rack, rates_);
         const RackMotion<T> unit{rack.displacement, T(1), T(0)};
-        if (kind != RackKind::unpaid) {
+        if (kind != RackKind::without_work) {
             suspension.linkage.find_prescribed_rates(at_, rates_, kind == RackKind::free ? unit : rack, world.gain,
                                                      x_rate_);
         }
@@ -128,7 +128,7 @@ public:
                 out_.momentum_rate[j] +=
                     at_.motion.J[frame].col(j).dot(net) + rates_.motion.J[frame].col(j).dot(h_[frame]);  // (71)
             }
-            if (kind_ == RackKind::unpaid) continue;
+            if (kind_ == RackKind::without_work) continue;
             const T along = at_.motion.x[frame].dot(net) + x_rate_[frame].dot(h_[frame]);
             if (kind_ == RackKind::free) {
                 driven_ += along;

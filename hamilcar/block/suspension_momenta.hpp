@@ -158,7 +158,7 @@ void suspension_momenta(const Model<T>& model, const State<T>& state, const Inpu
     const bool rack_is_free = vehicle.steering.exists();
     const auto kind_of = [&](int unit) {
         if (rack_is_free && unit == 0) return RackKind::free;
-        return model.energy_balance ? RackKind::prescribed : RackKind::unpaid;
+        return model.energy_balance ? RackKind::prescribed : RackKind::without_work;
     };
     out.on_rack = T(0);
     const BarForces<T> bars = anti_roll_forces(vehicle, state, velocity);

@@ -30,8 +30,7 @@ long period_of(double rate, double step, const std::string& what) {
 ControlSystem::ControlSystem(const VehicleDescription& vehicle, const ControlledCar& car, double step)
     : step_(step),
       layout_(vehicle),
-      wheels_(wheel_count(vehicle)),
-      units_(vehicle.power_units.size()),
+      places_(static_cast<int>(wheel_count(vehicle)), static_cast<int>(vehicle.power_units.size())),
       sensors_(sensor_groups(vehicle.sensors), vehicle.sensors.seed, step),
       memory_size_(2 * sensors_.size() + sensors_.memory_size()) {
     const SensorsDescription& s = vehicle.sensors;
@@ -68,33 +67,38 @@ void ControlSystem::add_controller(const ControllerDescription& description, con
     memory_size_ += 1 + controllers_.back().controller->memory_size();
 }
 
-// The places of MeasurementPlaces; the steering wheel behind them.
+// The steering wheel is behind what is measured.
 std::vector<Sensors::Group> ControlSystem::sensor_groups(const SensorsDescription& sensors) const {
-    const std::size_t speeds = MeasurementPlaces::wheel_speed, pressures = speeds + wheels_,
-                      travels = pressures + wheels_, rotors = travels + 2 * wheels_;
-    return {{sensors.angular_rate, MeasurementPlaces::angular_rate, 3},
-            {sensors.acceleration, MeasurementPlaces::acceleration, 3},
-            {sensors.pressure, MeasurementPlaces::control_pressure, 1},
-            {sensors.wheel_speed, speeds, wheels_},
-            {sensors.pressure, pressures, wheels_},
-            {SensorDescription{}, travels, 2 * wheels_},
-            {sensors.wheel_speed, rotors, units_},
-            {sensors.steering_wheel, rotors + units_, 1}};
+    using At = MeasurementPlaces;
+    const auto group = [](const SensorDescription& sensor, int first, int end) {
+        return Sensors::Group{sensor, static_cast<std::size_t>(first), static_cast<std::size_t>(end - first)};
+    };
+    return {group(sensors.angular_rate, At::angular_rate, At::acceleration),
+            group(sensors.acceleration, At::acceleration, At::control_pressure),
+            group(sensors.pressure, At::control_pressure, At::wheel_speed),
+            group(sensors.wheel_speed, At::wheel_speed, places_.brake_pressure),
+            group(sensors.pressure, places_.brake_pressure, places_.travel),
+            group({}, places_.travel, places_.rotor_speed),
+            group(sensors.wheel_speed, places_.rotor_speed, places_.size),
+            group(sensors.steering_wheel, places_.size, places_.size + 1)};
 }
 
 Measured ControlSystem::shown(long step, const Entry& entry, const DriverActions& driver, const double* numbers) const {
+    using At = MeasurementPlaces;
     const double* at = numbers + sensors_.size();
-    const double* speeds = at + MeasurementPlaces::wheel_speed;
+    const auto between = [at](int first, int end) { return std::span<const double>(at + first, at + end); };
     Measured out;
     out.time = static_cast<double>(step) * step_, out.interval = static_cast<double>(entry.period) * step_;
-    out.steering_wheel = speeds[4 * wheels_ + units_];
+    out.steering_wheel = at[places_.size];
     out.brake = driver.brake, out.throttle = driver.throttle, out.gear = driver.gear;
-    std::copy_n(at + MeasurementPlaces::angular_rate, 3, out.angular_rate.begin());
-    std::copy_n(at + MeasurementPlaces::acceleration, 3, out.acceleration.begin());
-    out.control_pressure = at[MeasurementPlaces::control_pressure];
-    out.wheel_speed = {speeds, wheels_}, out.brake_pressure = {speeds + wheels_, wheels_};
-    out.travel = {speeds + 2 * wheels_, wheels_}, out.travel_speed = {speeds + 3 * wheels_, wheels_};
-    out.rotor_speed = {speeds + 4 * wheels_, units_};
+    std::copy_n(at + At::angular_rate, 3, out.angular_rate.begin());
+    std::copy_n(at + At::acceleration, 3, out.acceleration.begin());
+    out.control_pressure = at[At::control_pressure];
+    out.wheel_speed = between(At::wheel_speed, places_.brake_pressure);
+    out.brake_pressure = between(places_.brake_pressure, places_.travel);
+    out.travel = between(places_.travel, places_.travel_speed);
+    out.travel_speed = between(places_.travel_speed, places_.rotor_speed);
+    out.rotor_speed = between(places_.rotor_speed, places_.size);
     return out;
 }
 

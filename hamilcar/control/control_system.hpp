@@ -37,6 +37,7 @@ public:
 
     // The memory, `memory_size` numbers that begin as zeros, is all that decisions depend on besides the commands. Its first numbers are
     // what is measured, as many as MeasurementPlaces says: to be written before the first step, and with each step.
+
     // Whether anything is to be done at a step, and how many steps later is the next.
     bool is_due(long step) const { return step % look_every_ == 0; }
     long steps_to_next(long step) const { return look_every_ - step % look_every_; }
@@ -62,7 +63,7 @@ private:
 
     double step_;
     CommandLayout layout_;
-    std::size_t wheels_, units_;
+    MeasurementPlaces places_;
     Sensors sensors_;
     // In the memory: measured, the steering wheel behind it; shown, likewise; what sensors remember; then of each controller whether it
     // is off, and its own numbers.

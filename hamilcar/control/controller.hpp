@@ -61,9 +61,8 @@ struct Measured {
     // What an accelerometer at the center of mass of all that moves shows: contact and air forces over mass, chassis axes;
     // on level ground (0, 0, g) at rest [m/s^2].
     std::array<double, 3> acceleration{};
-    double control_pressure = 0;  // of the master cylinder or the foot valve [Pa]
-    std::span<const double>
-        wheel_speed;  // of each, about its axis against its carrier; rolling forward positive [rad/s]
+    double control_pressure = 0;             // of the master cylinder or the foot valve [Pa]
+    std::span<const double> wheel_speed;     // of each against its carrier; rolling forward positive [rad/s]
     std::span<const double> brake_pressure;  // at each wheel [Pa]
     std::span<const double> travel;          // of each wheel's center against design, up positive [m]
     std::span<const double> travel_speed;    // likewise [m/s]

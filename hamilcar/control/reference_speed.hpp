@@ -40,9 +40,8 @@ struct ReferenceSpeed {
     double known = 0;         // 1 after the first update
     double speed = 0;         // of the motor vehicle's center of mass along its x axis, at least 0 [m/s]
     double acceleration = 0;  // its rate, by the accelerometer less `grade` [m/s^2]
-    double grade =
-        0;  // part of the measured acceleration that is weight: g sin(slope), and the sensor's offset [m/s^2]
-    double unseen = 0;  // time since a wheel last confirmed the speed [s]
+    double grade = 0;         // of what is measured, that is weight, g sin(slope), or the sensor's offset [m/s^2]
+    double unseen = 0;        // time since a wheel last confirmed the speed [s]
 };
 
 // One decision.

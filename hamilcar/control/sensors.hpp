@@ -19,7 +19,7 @@ public:
         SensorDescription sensor;
         std::size_t first, count;
     };
-    // `step` in seconds; intervals are multiples of it, see `interval_steps`.
+    // `step` in seconds; intervals are multiples of it.
     Sensors(const std::vector<Group>& groups, std::uint64_t seed, double step);
 
     // Numbers that are measured, and those that it remembers.

@@ -11,10 +11,8 @@ namespace hamilcar {
 
 namespace {
 
-constexpr double gravity = 9.80665;  // [m/s^2]
-constexpr double forgetting_time =
-    0.5;                              // of the heave, an integral of an accelerometer: below 0.3 Hz it is forgotten [s]
-constexpr double offset_time = 2;     // in which the accelerometer's mean, a slope's or a turn's, is forgotten [s]
+constexpr double forgetting_time = 0.5;  // of the heave, an integral: below 0.3 Hz it is forgotten [s]
+constexpr double offset_time = 2;  // in which the accelerometer's mean, by weight, slopes and turns, is forgotten [s]
 constexpr double least_speed = 0.01;  // of a damper, below which its ratio of speeds means nothing [m/s]
 
 struct SkyhookMemory {
@@ -33,7 +31,7 @@ public:
     }
     void decide(const Measured& measured, std::span<double> memory, const Commands& commands) const override {
         auto state = read_memory<SkyhookMemory>(memory);
-        const double up = measured.acceleration[2] - gravity, dt = measured.interval;
+        const double up = measured.acceleration[2], dt = measured.interval;
         if (state.begun == 0) state.begun = 1, state.offset = up;
         state.offset += (up - state.offset) * std::min(dt / offset_time, 1.0);
         state.heave += (up - state.offset) * dt - state.heave * std::min(dt / forgetting_time, 1.0);
@@ -46,7 +44,7 @@ public:
             const double share = share_for(body, apart);
             const double setting = (share - wheel.damper_soft) / (wheel.damper_firm - wheel.damper_soft);
             commands.damper(i) = std::clamp(setting, 0.0, 1.0);
-            const double rest = std::clamp((1 - wheel.damper_soft) / (wheel.damper_firm - wheel.damper_soft), 0.0, 1.0);
+            const double rest = (1 - wheel.damper_soft) / (wheel.damper_firm - wheel.damper_soft);
             used += std::abs(commands.damper(i) - rest) / std::max(rest, 1 - rest), ++count;
         }
         state.activity = used / std::max(count, 1.0);

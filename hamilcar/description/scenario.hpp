@@ -74,8 +74,8 @@ struct ScenarioDescription {
     SignalDescription gear;             // -1 reverse, 0 neutral, 1 first, ... [1]
     SignalDescription wind_x, wind_y;   // velocity of the air, ground axes [m/s]
     DriverDescription driver;           // acts where inputs are not given
-    std::vector<std::string>
-        controllers_off;           // kinds of the vehicle's controllers that are not there; "all": every one
+    // Kinds of the vehicle's controllers that are not there; "all": every one.
+    std::vector<std::string> controllers_off;
     ManeuverDescription maneuver;  // drives instead of inputs and driver
     OutputDescription output;
     std::vector<std::array<double, 2>> cones;  // that mark a course; nothing feels them: x, y on the ground [m]

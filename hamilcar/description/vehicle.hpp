@@ -53,7 +53,8 @@ struct SpringDescription {
 struct DamperDescription {
     std::vector<double> velocity;  // [m/s], positive in rebound (extension)
     std::vector<double> force;     // [N], positive opposes extension
-    // Adjustable where firm > soft: between these shares of the force, by a command from 0 to 1 that it follows with a lag.
+    // Adjustable where firm > soft, from 0 to 1 and from 1 on: between these shares of the force, by a command from 0 to 1 that it follows
+    // with a lag.
     double soft = 1, firm = 1;
     double response_time = 0.01;  // [s]
     bool is_adjustable() const { return firm > soft; }

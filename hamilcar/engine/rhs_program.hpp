@@ -21,7 +21,6 @@ struct RhsProgram {
     // Where in the report the measurement begins, and the report's size.
     int measurement() const { return RhsReport::correction + static_cast<int>(correction_indices.size()); }
     int report_size() const { return measurement() + measured; }
-    int input_size() const { return RhsInput::size + commands; }
     void run(const program::Frame& frame) const { executable->run(frame); }
 };
 

@@ -120,11 +120,7 @@ void LiveSimulation::reset() {
 
 void LiveSimulation::switch_off(const AidSet& off) {
     off_ = off;
-    for (const Aid& aid : aids_) {
-        const bool on = !off[aid.controller];
-        const bool changes = simulation_.control()->is_on(aid.controller, simulation_.control_memory()) != on;
-        if (changes) simulation_.switch_controller(aid.controller, on);  // which allocates
-    }
+    for (const Aid& aid : aids_) simulation_.switch_controller(aid.controller, !off[aid.controller]);
 }
 
 std::span<const double> LiveSimulation::channel_values() {

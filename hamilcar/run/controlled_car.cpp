@@ -39,11 +39,13 @@ std::vector<bool> driven_wheels(const VehicleDescription& vehicle) {
     return out;
 }
 
-// The first adjustable one of a wheel, or one that is not.
-DamperDescription adjustable_damper(const VehicleDescription& vehicle, const std::string& wheel) {
-    for (const SuspensionDescription& suspension : vehicle.suspensions) {
-        for (const SuspensionDamperDescription& one : suspension.dampers) {
-            if (one.name == wheel && one.damper.is_adjustable()) return one.damper;
+// The one that a wheel's command sets, or one that is not adjustable.
+DamperDescription adjustable_damper(const VehicleDescription& vehicle, const CommandLayout& layout, std::size_t wheel) {
+    const int command = layout.damper(wheel);
+    for (std::size_t s = 0; command >= 0 && s < vehicle.suspensions.size(); ++s) {
+        const std::vector<SuspensionDamperDescription>& dampers = vehicle.suspensions[s].dampers;
+        for (std::size_t i = 0; i < dampers.size(); ++i) {
+            if (layout.damper(s, i) == command) return dampers[i].damper;
         }
     }
     return {};
@@ -72,11 +74,12 @@ ControlledCar controlled_car(const VehicleDescription& vehicle, const Model<doub
     const std::vector<RoadWheel> on_road = road_wheels(model, momenta, start);
     const std::vector<WheelMotion> motions = wheel_motions(vehicle, model, start, input.rack.displacement);
     const std::vector<bool> is_driven = driven_wheels(vehicle);
+    const CommandLayout layout(vehicle);
     for_each_wheel(vehicle, [&](const SuspensionWheelDescription& wheel, std::size_t unit) {
         const std::size_t i = out.wheels.size();
         const Point& center =
             unit == 0 ? vehicle.chassis.center_of_mass : vehicle.trailers[unit - 1].chassis.center_of_mass;
-        const DamperDescription damper = adjustable_damper(vehicle, wheel.name);
+        const DamperDescription damper = adjustable_damper(vehicle, layout, i);
         double load = 0;
         for (const RoadTire& tire : on_road[i].tires) load += tire.forces->tire.Fz;
         out.wheels.push_back({.name = wheel.name,

@@ -27,8 +27,8 @@ std::shared_ptr<const ControlSystem> make_control(const ScenarioDescription& sce
 struct StepTime {
     long step;
     double time;  // [s]
-    std::optional<double>
-        steering_wheel{};  // its angle where the rack moves on its own; else it follows the schedule [rad]
+    // Its angle where the rack moves on its own; else it follows the schedule [rad].
+    std::optional<double> steering_wheel{};
 };
 // Lets those decide whose time it is: from what is measured, in the memory, to the schedule's commands. Without allocation.
 void let_decide(const ControlSystem& control, const Column& column, const StepTime& now, std::span<double> memory,

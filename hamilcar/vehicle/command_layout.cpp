@@ -32,8 +32,8 @@ void CommandLayout::add_dampers(const VehicleDescription& vehicle) {
             const bool takes = !vehicle.controllers.empty() && damper.is_adjustable();
             of_suspension.push_back(takes ? size() : -1);
             if (!takes) continue;
-            // At rest it has the force that the file states, as far as it can.
-            const double rest = std::clamp((1 - damper.soft) / (damper.firm - damper.soft), 0.0, 1.0);
+            // At rest it has the force that the file states.
+            const double rest = (1 - damper.soft) / (damper.firm - damper.soft);
             actuators_.push_back({size(), damper.response_time});
             commands_.push_back({one.name + ".damper.setting", "1", "of the damper, 0 soft to 1 firm", rest, 0, 1});
         }

@@ -232,4 +232,3 @@ class Rollout:
 
     def __repr__(self) -> str:
         return f"<hamilcar.Rollout of {self.vehicle.name!r}, {self.steps} steps a row>"
-

@@ -235,11 +235,7 @@ private:
             const State<double> state = batch_->state(car);
             const Start& own = *cars_[car];
             Sample sample = sample_at(own.simulation.model(), state, batch_->schedule(car)(batch_->time(car)));
-            Snapshot place;
-            if (own.simulation.control()) {
-                batch_->save(car, place);
-                sample.control = own.simulation.control(), sample.control_memory = place.control;
-            }
+            sample.control = own.simulation.control(), sample.control_memory = batch_->control_memory(car);
             for (std::size_t k = 0; k < which.size(); ++k) {
                 const Channel& channel = own.channels[which[k]];
                 if (ended || !channel.trace) to[car * which.size() + k] = channel.read(sample);

@@ -8,6 +8,7 @@
 #include "hamilcar/analysis/dimensions.hpp"
 #include "hamilcar/run/driven_car.hpp"
 #include "hamilcar/run/simulation.hpp"
+#include "support/active_chassis.hpp"
 #include "support/fleet.hpp"
 
 namespace hamilcar {
@@ -110,6 +111,34 @@ TEST_P(KnownCar, KnowsItsMeasures) {
     const double inertia = (front_load + rear_load) / file.gravity * wheelbase * wheelbase;
     EXPECT_GT(car.yaw_inertia, inertia / 12);
     EXPECT_LT(car.yaw_inertia, inertia / 3);
+}
+
+// Beside one that is as it stands, another one that is adjustable, in this order and in the other one.
+TEST(KnownDampers, AreThoseThatCommandsSet) {
+    for (const bool adjustable_first : {true, false}) {
+        VehicleDescription car = test::shipped("bmw_e90_330i");
+        for (SuspensionDescription& suspension : car.suspensions) {
+            SuspensionDamperDescription& first = suspension.dampers[0];
+            for (double& force : first.damper.force) force /= 2;
+            SuspensionDamperDescription second = first;
+            second.name += "_2";
+            (adjustable_first ? first : second).damper.soft = 0.5;
+            (adjustable_first ? first : second).damper.firm = 3;
+            suspension.dampers.push_back(second);
+        }
+        Simulation run(test::controlled_by(car, {test::controller("skyhook")}), test::scenario(0.2));
+        const ControlledCar known =
+            controlled_car(run.vehicle(), run.model(), run.driven_car(), run.state(), run.schedule()(0));
+        for (const ControlledWheel& wheel : known.wheels) {
+            EXPECT_EQ(wheel.damper_soft, 0.5) << wheel.name;
+            EXPECT_EQ(wheel.damper_firm, 3) << wheel.name;
+        }
+        while (run.time() < 0.2) ASSERT_FALSE(run.advance());
+        for (const double command : run.schedule().commands()) {
+            EXPECT_GE(command, 0) << "not less, and a number";
+            EXPECT_LE(command, 1);
+        }
+    }
 }
 
 }  // namespace

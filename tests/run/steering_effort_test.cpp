@@ -1,5 +1,6 @@
 // What a driver has to do at the steering wheel: the torque at standstill, with an assist and beyond its reach, and the angle that a torsion
 // bar that gives way asks for.
+#include <algorithm>
 #include <cmath>
 
 #include "run/steered_sedan.hpp"
@@ -116,6 +117,27 @@ TEST(Compliance, TurnsTheWheelFurtherByTheBarsTwist) {
     EXPECT_NEAR(above - test::steering_state(soft.model(), soft.state()).wheel, torque / d.hands_stiffness,
                 0.01 * torque / d.hands_stiffness)
         << "and the hands by theirs";
+}
+
+// An assist is a spring on the mass that the rack feels while chassis and suspensions give way: how fast, where its curve is steepest.
+TEST(Assist, OfShippedCarsIsAsSlowAsAStepOfAMillisecondFollows) {
+    for (const char* name : {"bmw_323i", "bmw_e90_330i", "hatchback", "offroader", "pickup", "truck_semitrailer"}) {
+        const Simulation run(test::shipped(name), test::set_free(test::scenario(1)));
+        const Model<double>& model = run.model();
+        const SteeringSystem<double>& steering = model.vehicle.steering;
+        const auto rack_rate = [&](double momentum) {
+            State<double> state = run.state();
+            steering.state(state.values.data()).rack_momentum += momentum;
+            return velocity_block(model, state, run.schedule()(0)).rack.rate;
+        };
+        const double mass = 1 / (rack_rate(1) - rack_rate(0));
+        const double slope = std::ranges::max(steering.assist.slope), turns = std::ranges::max(steering.pinion.slope);
+        const double stiffness = slope * steering.bar_stiffness * turns;
+        const double frequency = std::sqrt(stiffness * steering.assist_lead * steering.assist_rate / mass);
+        std::printf("%-18s %4.0f kg, %4.0f rad/s\n", name, mass, frequency);
+        EXPECT_GT(mass, 20) << name;
+        EXPECT_LT(frequency, 500) << name;
+    }
 }
 
 }  // namespace
