@@ -25,7 +25,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build/mutations"
 PAGE = ROOT / "docs/mutations.md"
 # Asked in this order after the rooms that a file names. None of them compares with figures that the program itself gave.
-ROOMS = ["math", "scalar", "tire", "force", "driveline", "steering", "integrator", "linkage", "suspension", "block", "paper",
+ROOMS = ["math", "scalar", "tire", "force", "driveline", "steering", "control", "integrator", "linkage", "suspension", "block", "paper",
          "vehicle", "run", "oracle", "analysis", "driver", "engine"]
 LIMIT = 600  # seconds for a room; a fault that makes it longer is caught
 

@@ -67,7 +67,8 @@ void add_suspension_energy(const Model<T>& model, const State<T>& state, const V
         const Suspension<T>& suspension = vehicle.suspensions[s];
         add_energy_of(suspension, velocity.suspensions[s], momenta.suspensions[s], state, vehicle.gravity,
                       height_in(static_cast<std::size_t>(suspension.unit)),
-                      vehicle.steering.exists() ? RackKind::free : RackKind::prescribed, e);
+                      vehicle.steering.exists() && suspension.follows_rack() ? RackKind::free : RackKind::prescribed,
+                      e);
     }
     const std::array<T, max_vehicle_wheels> deflection = bar_deflections(vehicle, state, velocity);
     for (const AntiRollBar<T>& bar : vehicle.anti_roll_bars) {
@@ -91,10 +92,11 @@ Energy<T> energy(const Model<T>& model, const State<T>& state, const Velocity<T>
     const auto height = [&](const Vec3<T>& p) { return velocity.R_GC.row(2).dot(p) + state.position()[2]; };
     Energy<T> e;
     e.kinetic = T(0.5) * velocity.chassis.dot(vehicle.chassis_inertia * velocity.chassis);  // (56)
-    for (std::size_t i = 0; i < vehicle.powertrain.units.size(); ++i) {
-        const PowerUnit<T>& unit = vehicle.powertrain.units[i];
-        const T& p_e = vehicle.powertrain.unit_state(i, state.values.data()).momentum;
-        e.kinetic += T(0.5) * p_e * p_e * unit.inverse_inertia;
+    for (const PowerUnit<T>& unit : vehicle.powertrain.units) {
+        if (!unit.rotor_is_free) continue;
+        const auto at = unit.state(state.values.data());
+        e.kinetic += T(0.5) * at.momentum * at.momentum * unit.inverse_inertia;
+        if (unit.shafts.exist()) e.kinetic += T(0.5) * at.shafts[0] * at.shafts[0] * unit.shafts.inverse_inertia;
     }
     if (vehicle.steering.exists()) {
         const auto steering = vehicle.steering.state(state.values.data());

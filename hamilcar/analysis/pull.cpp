@@ -14,11 +14,16 @@ namespace hamilcar {
 
 namespace {
 
+// The highest of a map: of a battery that is full and carries no load [V].
+double motor_voltage(const MotorDescription& motor) {
+    return motor.torque.level.empty() ? 0 : motor.torque.level.back();
+}
+
 // With the pedal down, at a speed of the rotor [N m].
 double full_torque(const PowerUnitDescription& unit, double speed) {
     if (const auto* motor = std::get_if<MotorDescription>(&unit.source)) {
         if (speed >= motor->max_speed) return 0;
-        return std::min(motor->max_torque, motor->max_power / std::max(speed, 1e-3));
+        return ElectricMotor<double>(*motor).strongest(speed, motor_voltage(*motor));
     }
     const TorqueCurve& curve = std::get<EngineDescription>(unit.source).torque.back();
     return interpolated(curve.speed, curve.torque, speed);
@@ -27,14 +32,15 @@ double full_torque(const PowerUnitDescription& unit, double speed) {
 // Pull of one gear as a function of speed, with the vehicle looked at once.
 class Pull {
 public:
-    explicit Pull(const VehicleDescription& vehicle) : vehicle_(vehicle), inputs_(input_speeds(vehicle)) {}
+    explicit Pull(const VehicleDescription& vehicle) : vehicle_(vehicle), outputs_(output_speeds(vehicle)) {}
 
     double operator()(int gear, double speed) const {
         double force = 0;
-        for (const PowerUnitDescription& unit : vehicle_.power_units) {
+        for (std::size_t i = 0; i < outputs_.size(); ++i) {
+            const PowerUnitDescription& unit = vehicle_.power_units[i];
             const auto& ratios = unit.gearbox.ratios;
             const auto place = std::min(static_cast<std::size_t>(std::max(gear, 1)), ratios.size()) - 1;
-            const double turns = ratios[place] * inputs_[unit.output];  // of the rotor, over the speed [rad/m]
+            const double turns = ratios[place] * outputs_[i];  // of the rotor, over the speed [rad/m]
             force += full_torque(unit, turns * speed) * turns * unit.gearbox.efficiency;
         }
         return force;
@@ -42,7 +48,7 @@ public:
 
 private:
     const VehicleDescription& vehicle_;
-    std::array<double, max_differentials> inputs_;
+    std::vector<double> outputs_;
 };
 
 double tire_coefficient(const TireDescription& tire) {
@@ -70,14 +76,20 @@ double tire_resistance(const VehicleDescription& vehicle) {
 
 }  // namespace
 
-std::array<double, max_differentials> input_speeds(const VehicleDescription& vehicle) {
+std::vector<double> output_speeds(const VehicleDescription& vehicle) {
     const Vehicle<double> car(vehicle);
     const std::vector<double> radii = rolling_radii(vehicle);
-    std::array<double, max_driven_wheels> turning{};
+    PowertrainMotion<double> rolling;
+    rolling.axle_turns.fill(0);
     for (std::size_t i = 0; i < car.powertrain.wheels.size(); ++i) {
-        turning[i] = 1 / radii[static_cast<std::size_t>(car.powertrain.wheels[i])];
+        rolling.wheels[i] = 1 / radii[static_cast<std::size_t>(car.powertrain.wheels[i])];
     }
-    return car.powertrain.input_speeds(turning);
+    const auto inputs = car.powertrain.input_speeds(rolling);
+    std::vector<double> out;
+    for (const PowerUnit<double>& unit : car.powertrain.units) {
+        out.push_back(car.powertrain.value(unit.output, rolling.wheels, inputs));
+    }
+    return out;
 }
 
 int highest_gear(const VehicleDescription& vehicle) {

@@ -3,13 +3,14 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "hamilcar/description/vehicle.hpp"
 
 namespace hamilcar {
 
-// Speeds of the differentials' inputs over the vehicle's speed, all wheels rolling [rad/m].
-std::array<double, max_differentials> input_speeds(const VehicleDescription& vehicle);
+// Speed of what each power unit drives over the vehicle's speed, all wheels rolling [rad/m].
+std::vector<double> output_speeds(const VehicleDescription& vehicle);
 
 // Highest forward gear of the first power unit; 0 without power units.
 int highest_gear(const VehicleDescription& vehicle);

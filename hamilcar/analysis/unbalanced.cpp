@@ -44,7 +44,9 @@ LinkagePosition<double> Unbalanced::position(std::size_t suspension, double rack
     const Suspension<double>& s = vehicle_.suspensions[suspension];
     const auto numbers = s.state(state_.values.data());
     LinkagePosition<double> out;
-    s.linkage.find_position(numbers.independent, numbers.dependent, {rack_, rack_rate, 0}, 0.0, out);
+    RackMotion<double> rack = rack_at(vehicle_, s, {rack_, 0, 0}, state_.values.data());
+    if (s.follows_rack()) rack.rate = rack_rate;
+    s.linkage.find_position(numbers.independent, numbers.dependent, rack, 0.0, out);
     return out;
 }
 

@@ -28,7 +28,7 @@ WheelMotion motion_of(const Suspension<double>& suspension, const LinkagePositio
         out.J.push_back(at.motion.J[frame].col(j));
         out.coordinates.push_back(suspension.offset + j);
     }
-    out.steer = at.motion.x[frame];
+    (suspension.steered_by < 0 ? out.steer : out.own_steer) = at.motion.x[frame];
     for (int j = 0; j < n && wheel.bar_arm >= 0; ++j) {
         out.bar_arm.push_back(at.Y[static_cast<std::size_t>(wheel.bar_arm)][static_cast<std::size_t>(j)]);
     }
@@ -47,13 +47,13 @@ WheelMotion motion_of(const Suspension<double>& suspension, const LinkagePositio
 
 std::vector<WheelMotion> wheel_motions(const VehicleDescription& description, const Model<double>& model,
                                        const State<double>& state, double rack) {
-    const RackMotion<double> motion{rack, 1,
-                                    0};  // at a rate of one, so that prescribed rates are motions per unit of rack
     std::vector<WheelMotion> out;
     for (std::size_t s = 0; s < model.vehicle.suspensions.size(); ++s) {
         const Suspension<double>& suspension = model.vehicle.suspensions[s];
         const auto view = suspension.state(state.values.data());
         LinkagePosition<double> at;
+        RackMotion<double> motion = rack_at(model.vehicle, suspension, {rack, 0, 0}, state.values.data());
+        motion.rate = 1;  // so that prescribed rates are motions per unit of rack
         suspension.linkage.find_position(view.independent, view.dependent, motion, 0.0, at);
         for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
             out.push_back(motion_of(suspension, at, view, i));

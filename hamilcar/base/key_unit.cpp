@@ -32,6 +32,9 @@ constexpr std::array unit_words{
     UnitWord{"degC", "degC"},  // a temperature on that scale stays on it
     UnitWord{"W", "W"},
     UnitWord{"hz", "Hz"},
+    UnitWord{"V", "V"},
+    UnitWord{"Ah", "A h", 3600},
+    UnitWord{"ohm", "ohm"},
     UnitWord{"rad", "rad"},
     UnitWord{"per", "/"},
     UnitWord{"revolution", "revolution"},

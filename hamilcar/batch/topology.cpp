@@ -19,10 +19,10 @@ std::vector<int> shape(const Linkage<T>& linkage) {
 
 std::vector<int> shape(const Suspension<double>& suspension) {
     std::vector<int> out = shape(suspension.linkage);
-    out.push_back(suspension.unit);
+    out.insert(out.end(), {suspension.unit, suspension.steered_by, suspension.shaft_frame});
     for (const auto& body : suspension.bodies) out.push_back(body.frame);
     for (const auto& wheel : suspension.wheels) {
-        out.insert(out.end(), {wheel.frame, wheel.tires, wheel.reaction, wheel.bar_arm});
+        out.insert(out.end(), {wheel.frame, wheel.tires, wheel.reaction, wheel.bar_arm, wheel.brake.has_parking});
     }
     const auto add = [&](const auto& elements) {
         out.push_back(static_cast<int>(elements.size()));
@@ -41,10 +41,19 @@ std::vector<int> shape(const Powertrain<double>& powertrain) {
         out.insert(out.end(),
                    {unit.output, unit.command, static_cast<int>(unit.source.index()),
                     static_cast<int>(unit.gears.ratio.size()), static_cast<int>(unit.converter.capacity.slope.size())});
+        out.insert(out.end(), {unit.rotor_is_free, unit.shafts.present, unit.place});
+        const auto add = [&out](const CurveFamily<double>& family) {
+            for (const auto& curve : family.curves) out.push_back(static_cast<int>(curve.slope.size()));
+        };
         if (const auto* engine = std::get_if<CombustionEngine<double>>(&unit.source)) {
-            for (const auto& curve : engine->torque) out.push_back(static_cast<int>(curve.slope.size()));
+            add(engine->torque);
+        } else {
+            const auto& motor = std::get<ElectricMotor<double>>(unit.source);
+            add(motor.torque), add(motor.efficiency_map);
         }
     }
+    out.insert(out.end(), {powertrain.battery.present, powertrain.regenerates,
+                           static_cast<int>(powertrain.battery.open_voltage.slope.size())});
     for (const auto& differential : powertrain.differentials) {
         out.insert(out.end(), differential.outputs.begin(), differential.outputs.end());
     }

@@ -45,6 +45,19 @@ void brake_limits(const Vehicle<T>& vehicle, const State<T>& state, const Input<
     }
 }
 
+// What the parking brake holds, beside the pedal's brakes and at rest as in motion.
+template <class T>
+void add_parking_brakes(const Vehicle<T>& vehicle, const Input<T>& input, BrakeMomenta<T>& out) {
+    for (const Suspension<T>& suspension : vehicle.suspensions) {
+        for (std::size_t w = 0; w < suspension.wheels.size(); ++w) {
+            const Brake<T>& brake = suspension.wheels[w].brake;
+            if (!brake.has_parking) continue;
+            out.limit[static_cast<std::size_t>(suspension.first_wheel) + w] +=
+                input.parking_brake * brake.parking_torque;
+        }
+    }
+}
+
 // `torque(number)`: of a wheel's brake on it [N m].
 template <class T, class Torque>
 void brake_rates(const BrakeSystem<T>& brakes, const State<T>& state, const Input<T>& input, const Torque& torque,

@@ -24,7 +24,8 @@ LoopReport inspect_loops(const Model<double>& model, const RackMotion<double>& r
     const auto& suspension = model.vehicle.suspensions[static_cast<std::size_t>(number)];
     const auto view = suspension.state(state.values.data());
     LinkagePosition<double> at;
-    suspension.linkage.find_position(view.independent, view.dependent, rack, 0.0, at);
+    suspension.linkage.find_position(view.independent, view.dependent,
+                                     rack_at(model.vehicle, suspension, rack, state.values.data()), 0.0, at);
     for (int e = 0; e < suspension.linkage.nW(); ++e) {
         const double violation = suspension.linkage.violation(e, at);
         if (report.cut < 0 || !(violation <= report.violation)) report.cut = e, report.violation = violation;
@@ -77,6 +78,12 @@ void hold_inputs(const Model<double>& model, const Input<double>& input, State<d
     for (std::size_t i = 0; i < brakes.lines.size(); ++i) brakes.temperature(i, values) = ambient_temperature;
     for (std::size_t i = 0; i < model.vehicle.actuators.size(); ++i) {
         values[model.vehicle.actuator_place + static_cast<int>(i)] = model.vehicle.actuators[i].rest;
+    }
+    for (const AxleSteer<double>& one : model.vehicle.axle_steers) values[one.place] = values[one.place + 1] = 0;
+    const Battery<double>& battery = model.vehicle.powertrain.battery;
+    if (battery.exists()) {
+        const auto at = battery.state(values);
+        at.charge = battery.initial_charge, at.voltage = battery.open_voltage.at(battery.initial_charge);
     }
     const SteeringSystem<double>& steering = model.vehicle.steering;
     if (!steering.exists()) return;
@@ -131,11 +138,13 @@ Spatial<double> set_momenta(const Model<double>& model, const Velocity<double>& 
                 to.momentum[j] += at.at.motion.J[static_cast<std::size_t>(frame)].col(j).dot(h);  // (57)
             }
             total[unit] += h;
-            if (rack_is_free && unit == 0) rack_momentum += at.at.motion.x[static_cast<std::size_t>(frame)].dot(h);
+            if (rack_is_free && suspension.follows_rack())
+                rack_momentum += at.at.motion.x[static_cast<std::size_t>(frame)].dot(h);
         };
         const auto motion_of = [&](int frame) -> Spatial<double> {
             const Spatial<double>& by_rack = at.at.motion.x[static_cast<std::size_t>(frame)];
-            return rack_is_free ? motion[unit] : Spatial<double>(motion[unit] + by_rack);
+            const bool rests = rack_is_free && suspension.steered_by < 0;
+            return rests ? motion[unit] : Spatial<double>(motion[unit] + by_rack);
         };
         for (std::size_t i = 0; i < suspension.bodies.size(); ++i) {
             const int frame = suspension.bodies[i].frame;

@@ -16,7 +16,8 @@ template <class T>
 void close_loops(const Model<T>& model, const RackMotion<T>& rack, State<T>& state, int newton_steps) {
     for (const Suspension<T>& suspension : model.vehicle.suspensions) {
         const SuspensionState<T> at = suspension.state(state.values.data());
-        for (int n = 0; n < newton_steps; ++n) suspension.linkage.newton_step(at.independent, at.dependent, rack);
+        const RackMotion<T> own = rack_at(model.vehicle, suspension, rack, state.values.data());
+        for (int n = 0; n < newton_steps; ++n) suspension.linkage.newton_step(at.independent, at.dependent, own);
     }
 }
 

@@ -35,6 +35,7 @@ struct Input {
     // Where the steering has a rack that moves on its own: how firmly the hands hold the steering wheel where `rack` is asked for, from 0,
     // hands off, to 1, and the torque that they apply besides [N m].
     T hands_hold{1}, hands_torque{0};
+    T parking_brake{0};  // lever, 0 to 1
     // What controllers tell actuators (vehicle/command_layout.hpp), kept by who makes the input; null: all at rest.
     const T* commands = nullptr;
 };

@@ -60,9 +60,10 @@ Momenta<T> momenta_block_of(const Model<T>& model, const State<T>& state, const 
     const Mat3<T>& R = velocity.R_GC;
     const Vec3<T> wind = R.row(0).transpose() * input.wind_x + R.row(1).transpose() * input.wind_y;
     chassis_momenta(vehicle, world, wind, below_chassis, out.external, out.work_rate);
-    std::array<T, max_vehicle_wheels> shafts;  // torques on the wheels [N m]
-    powertrain_momenta(vehicle, state, input, velocity, out.powertrain, shafts, out.work_rate);
+    ShaftTorques<T> shafts;
     brake_limits(vehicle, state, input, velocity, out.brakes);
+    powertrain_momenta(vehicle, state, input, velocity, out, shafts);
+    add_parking_brakes(vehicle, input, out.brakes);
     suspension_momenta(model, state, input, velocity, world, shafts, out);
     actuator_rates(vehicle, state, input, out);
     if (vehicle.steering.exists()) steering_momenta(vehicle, state, input, velocity, out);

@@ -78,6 +78,9 @@ void rate_of_state(const Model<T>& model, const State<T>& state, const Velocity<
     for (std::size_t i = 0; i < model.vehicle.actuators.size(); ++i) {
         rate.values[static_cast<std::size_t>(model.vehicle.actuator_place) + i] = momenta.actuator_rates[i];
     }
+    for (std::size_t i = 0; i < model.vehicle.axle_steers.size(); ++i) {
+        model.vehicle.axle_steers[i].write_rates(velocity.axle_racks[i], rate.values.data());
+    }
     write_brake_rates(model.vehicle.brakes, momenta.brakes, rate);
 }
 

@@ -97,6 +97,14 @@ public:
         }
     }
 
+    // Of the shaft to a differential on this axle, about the shaft; the chassis gets the same the other way.
+    void add_shaft(const T& torque) {
+        const int frame = suspension_.shaft_frame;
+        const Vec3<T>& axis = suspension_.shaft_axis;
+        add(frame, spatial<T>(Vec3<T>::Zero(), axis * torque), Spatial<T>::Zero());
+        work_ += torque * axis.dot(Vec3<T>(angular(velocity_.motion[frame]) - angular(velocity_.motion[0])));
+    }
+
     // `shares`: of the dampers' forces, of those that are adjustable.
     void add_springs(const std::array<T, max_axial_elements>& shares) {
         const auto state = suspension_.state(values_);

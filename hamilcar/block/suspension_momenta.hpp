@@ -137,12 +137,20 @@ void unpack_rates(const SuspensionMomenta<S>& from, int l, SuspensionMomenta<T>&
     }
 }
 
-// All suspensions and trailers, with the torques of `shafts` on the wheels and the limits of the brakes in `out`; adds to the motor
+// What the powertrain does to suspensions.
+template <class T>
+struct ShaftTorques {
+    std::array<T, max_vehicle_wheels> wheels;  // on each wheel [N m]
+    std::array<T, max_suspensions> axles;      // on an axle with a differential, about the shaft that drives it [N m]
+    ShaftTorques() {}
+};
+
+// All suspensions and trailers, with the torques of `shafts` and the limits of the brakes in `out`; adds to the motor
 // vehicle's external wrench and to the work rate.
 template <class T, class S>
 void suspension_momenta(const Model<T>& model, const State<T>& state, const Input<T>& input,
                         const Velocity<T, S>& velocity, const Surroundings<T>& motor_vehicle,
-                        const std::array<T, max_vehicle_wheels>& shafts, Momenta<T>& out) {
+                        const ShaftTorques<T>& shafts, Momenta<T>& out) {
     const Vehicle<T>& vehicle = model.vehicle;
     std::array<UnitPose<T>, max_trailers + 1> poses;
     poses[0] = {state.position(), velocity.R_GC};
@@ -154,10 +162,9 @@ void suspension_momenta(const Model<T>& model, const State<T>& state, const Inpu
         own.external = spatial<T>(own.surroundings.gravity * trailer.chassis.mass,
                                   trailer.chassis_inertia.first_moment.cross(own.surroundings.gravity));
     }
-    const WheelInput<T> told{velocity.rack, input.drive_torque};
     const bool rack_is_free = vehicle.steering.exists();
-    const auto kind_of = [&](int unit) {
-        if (rack_is_free && unit == 0) return RackKind::free;
+    const auto kind_of = [&](const auto& suspension) {
+        if (rack_is_free && suspension.follows_rack()) return RackKind::free;
         return model.energy_balance ? RackKind::prescribed : RackKind::without_work;
     };
     out.on_rack = T(0);
@@ -176,21 +183,23 @@ void suspension_momenta(const Model<T>& model, const State<T>& state, const Inpu
         [&](std::size_t s) {
             const Suspension<T>& suspension = vehicle.suspensions[s];
             const UnitGround<T> ground = ground_of(suspension.unit);
+            const WheelInput<T> told{rack_of(suspension, velocity), input.drive_torque};
             SuspensionEvaluator<T> momenta(suspension, velocity.suspensions[s], state.values.data(), told,
-                                           world_of(suspension.unit), ground, kind_of(suspension.unit),
+                                           world_of(suspension.unit), ground, kind_of(suspension),
                                            out.suspensions.emplace_back());
             momenta.add_bodies();
             std::array<WheelLoads<T>, max_wheels> loads;
             for (std::size_t i = 0; i < suspension.wheels.size(); ++i) {
                 const auto wheel = static_cast<std::size_t>(suspension.first_wheel) + i;
-                loads[i] = {bars.all[wheel], bars.active[wheel], shafts[wheel], out.brakes.limit[wheel]};
+                loads[i] = {bars.all[wheel], bars.active[wheel], shafts.wheels[wheel], out.brakes.limit[wheel]};
             }
             momenta.add_wheels({suspension.first_wheel, suspension.first_wheel}, loads);
+            if (suspension.shaft_frame > 0) momenta.add_shaft(shafts.axles[s]);
             momenta.add_springs(damper_shares(vehicle, suspension, state));
             momenta.finish();
             external_of(suspension.unit) += momenta.external();
             out.work_rate += momenta.work();
-            if (rack_is_free && suspension.unit == 0) out.on_rack += momenta.on_rack();
+            if (rack_is_free && suspension.follows_rack()) out.on_rack += momenta.on_rack();
         },
         [&](const auto& pair, std::size_t number) {
             const int unit = pair.both.unit;
@@ -198,12 +207,13 @@ void suspension_momenta(const Model<T>& model, const State<T>& state, const Inpu
             const UnitGround<T> ground = ground_of(unit);
             const Surroundings<S> around = in_both<S>(world_of(unit));
             const UnitGround<S> below{around.road, ground.uneven};
-            const WheelInput<S> inputs = in_both<S>(told);
+            const auto first = static_cast<std::size_t>(pair.first);
+            const WheelInput<S> inputs =
+                in_both<S>(WheelInput<T>{rack_of(vehicle.suspensions[first], velocity), input.drive_torque});
             SuspensionMomenta<S> both;
             SuspensionEvaluator<S> momenta(pair.both, velocity.pairs[number], numbers.data(), inputs, around, below,
-                                           kind_of(unit), both);
+                                           kind_of(pair.both), both);
             momenta.add_bodies();
-            const auto first = static_cast<std::size_t>(pair.first);
             const std::array<int, 2> wheels{vehicle.suspensions[first].first_wheel,
                                             vehicle.suspensions[first + 1].first_wheel};
             const std::array<T, max_vehicle_wheels>& limits = out.brakes.limit;
@@ -213,9 +223,13 @@ void suspension_momenta(const Model<T>& model, const State<T>& state, const Inpu
                 const auto right = static_cast<std::size_t>(wheels[1]) + i;
                 loads[i] = {side_by_side<S>(bars.all[left], bars.all[right]),
                             side_by_side<S>(bars.active[left], bars.active[right]),
-                            side_by_side<S>(shafts[left], shafts[right]), side_by_side<S>(limits[left], limits[right])};
+                            side_by_side<S>(shafts.wheels[left], shafts.wheels[right]),
+                            side_by_side<S>(limits[left], limits[right])};
             }
             momenta.add_wheels(wheels, loads);
+            if (pair.both.shaft_frame > 0) {
+                momenta.add_shaft(side_by_side<S>(shafts.axles[first], shafts.axles[first + 1]));
+            }
             const auto shares = damper_shares(vehicle, vehicle.suspensions[first], state),
                        of_right = damper_shares(vehicle, vehicle.suspensions[first + 1], state);
             std::array<S, max_axial_elements> of_both;
@@ -229,7 +243,7 @@ void suspension_momenta(const Model<T>& model, const State<T>& state, const Inpu
                 unpack(momenta.external(), l, wrench);
                 external_of(unit) += wrench;
                 out.work_rate += lane(momenta.work(), l);
-                if (rack_is_free && unit == 0) out.on_rack += lane(momenta.on_rack(), l);
+                if (rack_is_free && pair.both.follows_rack()) out.on_rack += lane(momenta.on_rack(), l);
                 unpack_rates(both, l, out.suspensions.emplace_back());
             }
         });

@@ -44,6 +44,7 @@ struct Velocity {
     Spatial<T> momentum;  // (p ; L) in chassis axes
     Spatial<T> chassis;   // v_1
     RackMotion<T> rack;   // as prescribed, or as it moves on its own; its acceleration only where prescribed
+    std::array<RackMotion<T>, max_axle_steers> axle_racks;  // of axles with an actuator of their own
     StaticVector<SuspensionVelocity<T>, max_suspensions> suspensions;
     StaticVector<SuspensionVelocity<S>, has_pairs<T> ? max_suspensions / 2 : 1> pairs;
     StaticVector<TrailerVelocity<T>, max_trailers> trailers;
@@ -53,6 +54,13 @@ struct Velocity {
 template <class S, class T>
 RackMotion<S> in_both(const RackMotion<T>& rack) {
     return {S(rack.displacement), S(rack.rate), S(rack.acceleration)};
+}
+
+// That which moves a suspension.
+template <class T, class S>
+const RackMotion<T>& rack_of(const Suspension<T>& suspension, const Velocity<T, S>& velocity) {
+    return suspension.steered_by < 0 ? velocity.rack
+                                     : velocity.axle_racks[static_cast<std::size_t>(suspension.steered_by)];
 }
 
 // Transforms a force from a frame's axes and origin to those of the parent, in which its pose is given.
@@ -183,10 +191,11 @@ void condense_trailer(const Trailer<T>& trailer, const T* values, TrailerVelocit
     tow.K += seen.K, tow.b += seen.b;
 }
 
-// Condenses all suspensions and trailers onto the motor vehicle's chassis; with `coupling`, for a rack that moves on its own.
+// Condenses all suspensions and trailers onto the motor vehicle's chassis; with `coupling`, for a rack that moves on its own. The racks
+// are those of `out`.
 template <class T, class S>
-CondensedUnit<T> condense_suspensions(const Model<T>& model, const State<T>& state, const RackMotion<T>& rack,
-                                      Velocity<T, S>& out, RackCoupling<T>* coupling) {
+CondensedUnit<T> condense_suspensions(const Model<T>& model, const State<T>& state, Velocity<T, S>& out,
+                                      RackCoupling<T>* coupling = nullptr) {
     const Vehicle<T>& vehicle = model.vehicle;
     CondensedUnit<T> motor_vehicle;
     motor_vehicle.K.setZero(), motor_vehicle.b.setZero();
@@ -204,17 +213,18 @@ CondensedUnit<T> condense_suspensions(const Model<T>& model, const State<T>& sta
             const Suspension<T>& suspension = vehicle.suspensions[s];
             Health<T> health;
             RackCoupling<T> of_one;  // summed by itself, as that of one of a pair
-            const bool couples = coupling && suspension.unit == 0;
+            const bool couples = coupling && suspension.follows_rack();
             const CondensedUnit<T> own =
-                condense_suspension(suspension, values, rack, model.stabilization_gain, out.suspensions.emplace_back(),
-                                    health, couples ? &of_one : nullptr);
+                condense_suspension(suspension, values, rack_of(suspension, out), model.stabilization_gain,
+                                    out.suspensions.emplace_back(), health, couples ? &of_one : nullptr);
             if (couples) coupling->add(of_one);
             unit(suspension.unit).K += own.K, unit(suspension.unit).b += own.b;
             out.health.include(health);
         },
         [&](const auto& pair, std::size_t) {
-            condense_pair(pair, values, rack, model.stabilization_gain, out, unit(pair.both.unit),
-                          pair.both.unit == 0 ? coupling : nullptr);
+            const Suspension<T>& first = vehicle.suspensions[static_cast<std::size_t>(pair.first)];
+            condense_pair(pair, values, rack_of(first, out), model.stabilization_gain, out, unit(pair.both.unit),
+                          first.follows_rack() ? coupling : nullptr);
         });
     for (std::size_t i = vehicle.trailers.size(); i-- > 0;) {
         condense_trailer(vehicle.trailers[i], state.values.data(), out.trailers[i], unit(vehicle.trailers[i].tow));
@@ -244,12 +254,12 @@ void move_rack(const Vehicle<T>& vehicle, const T& rate, Velocity<T, S>& out) {
     vehicle.for_each_suspension(
         [&](std::size_t s) {
             const Suspension<T>& suspension = vehicle.suspensions[s];
-            if (suspension.unit != 0) return;
+            if (!suspension.follows_rack()) return;
             out.suspensions[s].at.pace = rate;
             out.suspensions[s].own.subtract_rack(suspension.linkage.nV(), rate);
         },
         [&](const auto& pair, std::size_t number) {
-            if (pair.both.unit != 0) return;
+            if (!pair.both.follows_rack()) return;
             out.pairs[number].at.pace = S(rate);
             out.pairs[number].own.subtract_rack(pair.both.linkage.nV(), S(rate));
         });

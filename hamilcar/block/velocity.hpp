@@ -11,12 +11,15 @@
 
 namespace hamilcar {
 
-// The momenta of all rotors, in the chassis's axes.
+// The momenta of all rotors and of gearboxes with an inertia, in the chassis's axes.
 template <class T>
 Vec3<T> rotor_momenta(const Powertrain<T>& powertrain, const State<T>& state) {
     Vec3<T> sum = Vec3<T>::Zero();
-    for (std::size_t i = 0; i < powertrain.units.size(); ++i) {
-        sum += powertrain.units[i].axis * powertrain.unit_state(i, state.values.data()).momentum;
+    for (const PowerUnit<T>& unit : powertrain.units) {
+        if (!unit.rotor_is_free) continue;
+        const auto at = unit.state(state.values.data());
+        sum += unit.axis * at.momentum;
+        if (unit.shafts.exist()) sum += unit.axis * at.shafts[0];
     }
     return sum;
 }
@@ -57,7 +60,10 @@ Velocity<T, S> velocity_block_of(const Model<T>& model, const State<T>& state, c
     const bool rack_is_free = vehicle.steering.exists();
     RackCoupling<T> coupling;
     out.rack = rack_of(vehicle, state, input);
-    CondensedUnit<T> rest = condense_suspensions(model, state, out.rack, out, rack_is_free ? &coupling : nullptr);
+    for (std::size_t i = 0; i < vehicle.axle_steers.size(); ++i) {
+        out.axle_racks[i] = vehicle.axle_steers[i].motion(state.values.data(), input.commands);
+    }
+    CondensedUnit<T> rest = condense_suspensions(model, state, out, rack_is_free ? &coupling : nullptr);
     if (vehicle.powertrain.exists()) angular(rest.b) += rotor_momenta(vehicle.powertrain, state);
     vehicle.chassis_inertia.add_to_lower(rest.K);
     out.chassis = solve_positive_definite<T>(rest.K, Spatial<T>(out.momentum - rest.b));  // (58)

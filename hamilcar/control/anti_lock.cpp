@@ -38,6 +38,7 @@ struct AntiLockMemory {
     double activity;      // share of braked wheels that are controlled
     double deceleration;  // the largest of late [m/s^2]
     double probe;         // wheel that is let go to see the car's speed, counted from 1; 0: none
+    double withheld;      // 1: motors may not brake in place of friction, which this controller has to do with alone
 };
 
 struct ChannelMemory {
@@ -79,6 +80,7 @@ private:
                          std::span<const double> memory) const;
     void actuate(const Channel& own, ChannelMemory& channel, double target, double probe, const Measured& measured,
                  const Commands& commands) const;
+    void withhold_regeneration(AntiLockMemory& state, const Commands& commands) const;
 
     ControlledCar car_;
     double slip_, lead_, min_speed_, rise_;
@@ -201,6 +203,15 @@ void AntiLock::actuate(const Channel& own, ChannelMemory& channel, double target
     channel.taken = take ? 1 : 0;
 }
 
+void AntiLock::withhold_regeneration(AntiLockMemory& state, const Commands& commands) const {
+    const double withheld = state.activity > 0 ? 1 : 0;
+    if (withheld == 0 && state.withheld == 0) return;
+    for (std::size_t unit = 0; unit < car_.units.size(); ++unit) {
+        if (car_.units[unit].motor_torque > 0) commands.max_regeneration(unit) = 1 - withheld;
+    }
+    state.withheld = withheld;
+}
+
 void AntiLock::decide(const Measured& measured, std::span<double> memory, const Commands& commands) const {
     auto state = read_memory<AntiLockMemory>(memory);
     update_speed(state.reference, car_, measured);
@@ -236,6 +247,7 @@ void AntiLock::decide(const Measured& measured, std::span<double> memory, const 
         controlled += channel.taken * static_cast<double>(channels_[c].wheels.size());
     }
     state.activity = controlled / std::max(wheels, 1.);
+    withhold_regeneration(state, commands);
     write_memory(state, memory);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
@@ -25,6 +26,13 @@ long period_of(double rate, double step, const std::string& what) {
                     rate, step, nearest));
 }
 
+// A speed of travel is as late as the travel; its noise and its resolution would be those of a difference over an interval.
+SensorDescription of_speed(SensorDescription travel, double step) {
+    const double interval = travel.interval > 0 ? travel.interval : step;
+    travel.noise *= std::numbers::sqrt2 / interval, travel.resolution /= interval;
+    return travel;
+}
+
 }  // namespace
 
 ControlSystem::ControlSystem(const VehicleDescription& vehicle, const ControlledCar& car, double step)
@@ -34,11 +42,9 @@ ControlSystem::ControlSystem(const VehicleDescription& vehicle, const Controlled
       sensors_(sensor_groups(vehicle.sensors), vehicle.sensors.seed, step),
       memory_size_(2 * sensors_.size() + sensors_.memory_size()) {
     const SensorsDescription& s = vehicle.sensors;
-    const std::pair<const SensorDescription*, const char*> sorts[] = {{&s.wheel_speed, "wheel_speed"},
-                                                                      {&s.angular_rate, "angular_rate"},
-                                                                      {&s.acceleration, "acceleration"},
-                                                                      {&s.pressure, "pressure"},
-                                                                      {&s.steering_wheel, "steering_wheel"}};
+    const std::pair<const SensorDescription*, const char*> sorts[] = {
+        {&s.wheel_speed, "wheel_speed"}, {&s.angular_rate, "angular_rate"},     {&s.acceleration, "acceleration"},
+        {&s.pressure, "pressure"},       {&s.steering_wheel, "steering_wheel"}, {&s.travel, "travel"}};
     for (const auto& [sensor, name] : sorts) {
         if (sensor->interval > 0) period_of(1 / sensor->interval, step, fmt::format("sensors.{}.rate_hz", name));
     }
@@ -78,7 +84,8 @@ std::vector<Sensors::Group> ControlSystem::sensor_groups(const SensorsDescriptio
             group(sensors.pressure, At::control_pressure, At::wheel_speed),
             group(sensors.wheel_speed, At::wheel_speed, places_.brake_pressure),
             group(sensors.pressure, places_.brake_pressure, places_.travel),
-            group({}, places_.travel, places_.rotor_speed),
+            group(sensors.travel, places_.travel, places_.travel_speed),
+            group(of_speed(sensors.travel, step_), places_.travel_speed, places_.rotor_speed),
             group(sensors.wheel_speed, places_.rotor_speed, places_.size),
             group(sensors.steering_wheel, places_.size, places_.size + 1)};
 }

@@ -38,6 +38,20 @@ struct ControlledBar {
     double max_force = 0;             // on each of them at a command of 1; 0: it is not active [N]
 };
 
+struct ControlledUnit {
+    std::string name;
+    std::vector<std::size_t> wheels;  // that it drives
+    double ratio = 0;         // of the torque of all of them over that of a motor, in its only or its first gear [1]
+    double motor_torque = 0;  // the largest of a motor; 0: an engine [N m]
+};
+
+// An axle whose rack an actuator moves.
+struct ControlledSteer {
+    std::string axle;
+    double angle = 0;  // of its wheels at a command of 1, near straight ahead, to the left positive [rad]
+    double x = 0;      // of the axle, from the center of mass of the chassis, forward [m]
+};
+
 struct ControlledCar {
     double mass = 0;              // of everything [kg]
     double yaw_inertia = 0;       // of the motor vehicle about its center of mass, estimated [kg m^2]
@@ -47,7 +61,8 @@ struct ControlledCar {
     double full_pressure = 0;     // of the brakes at full pedal; 0: no brake system [Pa]
     std::vector<ControlledWheel> wheels;  // in the vehicle's order
     std::vector<ControlledBar> bars;      // anti-roll bars
-    std::vector<std::string> units;       // power units
+    std::vector<ControlledUnit> units;    // power units
+    std::vector<ControlledSteer> steers;  // axles with an actuator for their rack
 };
 
 // As sensors show it; what the car lacks is zero.
@@ -93,6 +108,11 @@ public:
     // Limits of a power unit's throttle.
     double& max_throttle(std::size_t unit) const { return at(layout_->unit(unit) + UnitCommand::max_throttle); }
     double& min_throttle(std::size_t unit) const { return at(layout_->unit(unit) + UnitCommand::min_throttle); }
+    // Of a motor: torque besides what the pedal asks for, -1 to 1 of its largest; how much the brake pedal may ask of it, 0 to 1.
+    double& added_torque(std::size_t unit) const { return at(layout_->unit(unit) + UnitCommand::added_torque); }
+    double& max_regeneration(std::size_t unit) const { return at(layout_->unit(unit) + UnitCommand::max_regeneration); }
+    // Of an axle with an actuator for its rack, by its number in ControlledCar: -1 to 1 of the rack's travel.
+    double& axle_steer(std::size_t steer) const { return at(layout_->axle_steer(steer)); }
     // Of a wheel's adjustable damper, 0 soft to 1 firm.
     bool has_damper(std::size_t wheel) const { return layout_->damper(wheel) >= 0; }
     double& damper(std::size_t wheel) const { return at(layout_->damper(wheel)); }

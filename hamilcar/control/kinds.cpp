@@ -13,8 +13,8 @@ namespace {
 
 // Pointers to entries stay as the list grows.
 std::deque<ControllerKind>& list() {
-    static std::deque<ControllerKind> all{external_control(),  anti_lock(),        traction_control(),
-                                          stability_control(), active_anti_roll(), skyhook()};
+    static std::deque<ControllerKind> all{external_control(), anti_lock(), traction_control(), stability_control(),
+                                          active_anti_roll(), skyhook(),   torque_vectoring(), rear_steer()};
     return all;
 }
 

@@ -11,6 +11,8 @@ ControllerKind traction_control();   // traction_control.cpp
 ControllerKind stability_control();  // stability_control.cpp
 ControllerKind active_anti_roll();   // active_anti_roll.cpp
 ControllerKind skyhook();            // skyhook.cpp
+ControllerKind torque_vectoring();   // torque_vectoring.cpp
+ControllerKind rear_steer();         // rear_steer.cpp
 
 // All kinds, in the order of the list above, then those that were added.
 std::vector<const ControllerKind*> controller_kinds();

@@ -31,6 +31,7 @@ struct SensorsDescription {
     SensorDescription acceleration;    // [m/s^2]
     SensorDescription pressure;        // [Pa]
     SensorDescription steering_wheel;  // [rad]
+    SensorDescription travel;          // of the wheels [m], [m/s]
     std::uint64_t seed = 1;            // of all noise
 };
 

@@ -11,7 +11,7 @@
 
 namespace hamilcar {
 
-inline constexpr int max_power_units = 4;
+inline constexpr int max_power_units = 8;
 inline constexpr int max_differentials = 12;
 inline constexpr int max_gears = 20;         // forward
 inline constexpr int max_curve_points = 24;  // of a torque curve
@@ -29,12 +29,35 @@ struct EngineDescription {
     double idle_speed = 0;            // held by a governor [rad/s]
 };
 
-// An electric motor: constant torque up to its base speed, constant power from there on.
+// Over speed, at rising values of a second quantity.
+struct MapDescription {
+    std::vector<double> level;               // increasing
+    std::vector<std::vector<double>> speed;  // at each level [rad/s], increasing
+    std::vector<std::vector<double>> value;
+};
+
+// An electric motor: constant torque up to its base speed, constant power from there on; or a map.
 struct MotorDescription {
-    double max_torque = 0;    // [N m]
-    double max_power = 0;     // [W]
-    double max_speed = 0;     // the torque fades out before it [rad/s]
-    double regeneration = 0;  // share of the torque that brakes when the pedal is released [1]
+    double max_torque = 0;          // [N m]
+    double max_power = 0;           // [W]
+    double max_speed = 0;           // the torque fades out before it [rad/s]
+    double regeneration = 0;        // share of the torque that brakes when the pedal is released [1]
+    double brake_regeneration = 0;  // share of the torque that the brake pedal may use in place of friction [1]
+    MapDescription torque;          // the largest, over speed [N m], at voltages [V]; empty: by the numbers above
+    double efficiency = 1;          // mechanical over electrical power, or the reverse where it brakes [1]
+    MapDescription efficiency_map;  // the same over speed, at torques [N m]; empty: the number above
+};
+
+// What motors take their power from. Open-circuit voltage over charge, behind a resistance.
+struct BatteryDescription {
+    bool exists = false;
+    double capacity = 0;                       // [C]
+    double initial_charge = 0.8;               // [1]
+    std::vector<double> charge;                // 0 to 1, increasing
+    std::vector<double> voltage;               // at each of them, without current [V]
+    double resistance = 0;                     // [ohm]
+    double max_discharge = 0, max_charge = 0;  // power at its terminals [W]
+    double auxiliary_power = 0;                // of everything else on board [W]
 };
 
 // Dry friction between rotor and gearbox; capacity 0: rotor and gearbox are one, and nothing slips.
@@ -62,6 +85,21 @@ struct GearboxDescription {
     double downshift_speed_closed = 0;  // at closed throttle [rad/s]
 };
 
+// A wheel by its number in the vehicle's order, or a differential, which comes before what drives it.
+struct DrivenPart {
+    bool wheel = true;
+    std::size_t number = 0;
+};
+
+// Shafts behind a gearbox whose input has an inertia of its own, so that clutch and shafts wind up separately.
+struct ShaftsDescription {
+    bool exists = false;
+    double gearbox_inertia = 0;  // of clutch disc, input shaft and gears, at the gearbox's input [kg m^2]
+    double stiffness = 0;        // of the propeller shaft, at the gearbox's output [N m/rad]
+    double damping_ratio = 0.1;  // of the torsion behind the gearbox [1]
+    double backlash = 0;         // full play of gears and joints, at the gearbox's output [rad]
+};
+
 struct PowerUnitDescription {
     std::string name;  // "engine": prefix of its channels
     std::variant<EngineDescription, MotorDescription> source;
@@ -72,7 +110,9 @@ struct PowerUnitDescription {
     double stiffness = 0;  // of clutch springs and shafts up to the last differential, seen from the rotor [N m/rad]
     double damping_ratio = 0;  // of the whole driveline's torsion, wheels off the ground [1]
     GearboxDescription gearbox;
-    std::size_t output = 0;  // of the differentials; the one it drives
+    ShaftsDescription shafts;
+    DrivenPart output{.wheel = false, .number = 0};
+    bool in_wheel = false;  // it sits on the carrier of the wheel that it drives, and its rotor turns with the wheel
 };
 
 enum class DifferentialKind { open, locked, limited_slip, torque_biasing, viscous };
@@ -83,12 +123,9 @@ struct DifferentialDescription {
     DifferentialKind kind = DifferentialKind::open;
     double ratio = 1;    // input speed over output speed [1]
     double share = 0.5;  // of the torque that goes to the first output, while nothing locks [1]
-    // Driven by it: a wheel by its number in the vehicle's order, or one of the differentials before this one.
-    struct Output {
-        bool wheel = true;
-        std::size_t number = 0;
-    };
-    std::array<Output, 2> outputs;
+    std::array<DrivenPart, 2> outputs;
+    // About which its input shaft turns, in the chassis; matters where the differential sits on a live axle.
+    std::array<double, 3> shaft_axis{-1, 0, 0};
     double preload = 0;          // locking torque without load [N m]
     double locking_drive = 0;    // locking torque as a share of the outgoing torque that drives ahead [1]
     double locking_coast = 0;    // and of one that brakes or drives back [1]

@@ -69,6 +69,7 @@ struct ScenarioDescription {
     bool steering_mechanics = false;    // the rack moves on its own, as the vehicle's steering makes it
     SignalDescription drive;            // torque at the driven wheels together [N m]
     SignalDescription brake;            // pedal command, 0 to 1 [1]
+    SignalDescription parking_brake;    // lever, 0 released to 1 [1]
     SignalDescription throttle;         // pedal of the power units, 0 to 1 [1]
     SignalDescription clutch;           // pedal, 0 released to 1 pressed [1]
     SignalDescription gear;             // -1 reverse, 0 neutral, 1 first, ... [1]

@@ -82,6 +82,7 @@ struct BrakeDescription {
     std::vector<double> temperature, friction;  // relative friction over temperature [degree C, 1]; empty: 1
     double friction_loss_per_speed = 0;         // share of the friction lost per sliding speed of the pads [s/m]
     double friction_radius = 0;                 // where the pads act; of that speed [m]
+    double parking_torque = 0;                  // of the parking brake fully applied; in any vehicle [N m]
 };
 
 // A suspension as a composition of parts: an axle with two wheels, or one wheel's own. The motor vehicle is unit 0,
@@ -137,6 +138,16 @@ struct SuspensionDescription {
     std::vector<SuspensionWheelDescription> wheels;
     std::vector<SuspensionSpringDescription> springs;
     std::vector<SuspensionDamperDescription> dampers;
+    std::optional<std::size_t> steered_by;  // of the vehicle's axle_steers; none: the rack of the steering wheel
+};
+
+// An axle whose rack an actuator moves by a command.
+inline constexpr std::size_t max_axle_steers = 4;
+struct AxleSteerDescription {
+    std::string axle;
+    double travel = 0;         // of its rack at a command of 1 [m]
+    double frequency = 0;      // of the actuator, undamped [rad/s]
+    double damping_ratio = 1;  // [1]
 };
 
 // Couples two wheels, numbered through all suspensions in order: force rate * (z_left - z_right) on their travels pushes the higher
@@ -226,7 +237,9 @@ struct VehicleDescription {
     HullDescription hull;
     SteeringDescription steering;
     std::vector<PowerUnitDescription> power_units;
-    std::vector<DifferentialDescription> differentials;   // outputs before inputs
+    std::vector<DifferentialDescription> differentials;  // outputs before inputs
+    BatteryDescription battery = {};
+    std::vector<AxleSteerDescription> axle_steers = {};
     double gravity = 9.80665;                             // [m/s^2]
     BrakeSystemDescription brakes = {};                   // from the pedal to the wheels
     std::vector<ControllerDescription> controllers = {};  // in the order in which they decide
@@ -248,6 +261,12 @@ inline double driven_share(const VehicleDescription& vehicle) {
     double driven = 0;
     for_each_wheel(vehicle, [&](const auto& wheel, std::size_t) { driven += wheel.drive_share; });
     return driven;
+}
+
+inline bool has_parking_brake(const VehicleDescription& vehicle) {
+    bool has = false;
+    for_each_wheel(vehicle, [&](const auto& wheel, std::size_t) { has = has || wheel.brake.parking_torque > 0; });
+    return has;
 }
 
 inline std::size_t wheel_count(const VehicleDescription& vehicle) {

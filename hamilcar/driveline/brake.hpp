@@ -13,9 +13,11 @@ struct Brake {
     T max_torque, stiffness, damping;
     T compliance;                      // 1 / stiffness; zero without a brake
     T valve_command, valve_reduction;  // reduction of the slope above this command
+    T parking_torque;                  // that the parking brake holds when fully applied
+    int has_parking;
     static constexpr auto members() {
         return std::tuple(&Brake::max_torque, &Brake::stiffness, &Brake::damping, &Brake::compliance,
-                          &Brake::valve_command, &Brake::valve_reduction);
+                          &Brake::valve_command, &Brake::valve_reduction, &Brake::parking_torque, &Brake::has_parking);
     }
 
     Brake() = default;
@@ -25,7 +27,9 @@ struct Brake {
           damping(d.windup_damping),
           compliance(d.windup_stiffness > 0 ? 1 / d.windup_stiffness : 0),
           valve_command(d.valve_command),
-          valve_reduction(1 - d.valve_slope) {}
+          valve_reduction(1 - d.valve_slope),
+          parking_torque(d.parking_torque),
+          has_parking(d.parking_torque > 0 ? 1 : 0) {}
 
     // Friction limit where the torque follows the pedal at once [N m].
     T limit(const T& command) const {

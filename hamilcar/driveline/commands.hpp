@@ -7,9 +7,10 @@ namespace hamilcar {
 struct BrakeCommand {
     enum : int { inlet, outlet, pump, size };
 };
-// Of a power unit: limits of its throttle.
+// Of a power unit: limits of its throttle. Of a motor besides: a torque that is added, as a share of the largest, and how much of what
+// the brake pedal may ask of it is let.
 struct UnitCommand {
-    enum : int { max_throttle, min_throttle, size };
+    enum : int { max_throttle, min_throttle, size, added_torque = size, max_regeneration, motor_size };
 };
 
 }  // namespace hamilcar

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "hamilcar/force/dry_friction.hpp"
+#include "hamilcar/math/eigen.hpp"
 
 namespace hamilcar {
 
@@ -15,13 +16,20 @@ struct Differential {
     T viscosity;                              // [N m s/rad]
     T stiffness, damping, compliance;         // of the torsion between the outputs
     std::array<int, 2> outputs{};             // index of a driven wheel, or -1 - index of a differential
+    int on_axle = -1;                         // number of the suspension that carries it; -1: the chassis does
+    Vec3<T> shaft_axis = Vec3<T>::Zero();     // about which its input turns, chassis axes; matters on an axle
     static constexpr auto members() {
         using D = Differential;
         return std::tuple(&D::ratio, &D::share, &D::preload, &D::locking_drive, &D::locking_coast, &D::viscosity,
-                          &D::stiffness, &D::damping, &D::compliance, &D::outputs);
+                          &D::stiffness, &D::damping, &D::compliance, &D::outputs, &D::on_axle, &D::shaft_axis);
     }
 
     T input_speed(const T& a, const T& b) const { return ratio * (share * a + (T(1) - share) * b); }
+    // At its input, so that neither output gets more than asked for.
+    T input_torque(const T& a, const T& b) const {
+        constexpr double least = 1e-3;  // share that counts
+        return min(T(a / max(share, T(least))), T(b / max(T(T(1) - share), T(least)))) / ratio;
+    }
 
     struct Output {
         T a, b;  // on the outputs [N m]

@@ -3,7 +3,8 @@
 //     rotor  p_e' = source - clutch - pump,  spin = p_e / I - e.omega          // formulation, section 7
 //     clutch friction behind the torsion of the whole driveline in the present gear (dry_friction.hpp)
 //     shaft  turns at in / ratio and receives ratio (in - loss)
-// Between two gears the ratio is interpolated, as for a gearbox that shifts under load.
+// Between two gears the ratio is interpolated, as for a gearbox that shifts under load. A gearbox may have an inertia of its own, with
+// shafts that wind up behind it; and a unit on a wheel's carrier turns with the wheel.
 #pragma once
 
 #include <tuple>
@@ -59,7 +60,17 @@ struct Converter {
     }
 };
 
-// Quantities that depend on the gear, indexed from reverse (gear -1): 0 is reverse, 1 neutral, 2 first.
+// Of values by gear, from reverse (gear -1) on: 0 is reverse, 1 neutral, 2 first. Interpolated between two gears.
+template <class T>
+T at_gear(const std::vector<T>& values, const T& gear) {
+    const T position = clamp(T(gear + T(1)), T(0), T(static_cast<double>(values.size() - 1)));
+    T out = values[0];
+    for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+        out += (values[i + 1] - values[i]) * clamp(T(position - T(static_cast<double>(i))), T(0), T(1));
+    }
+    return out;
+}
+
 template <class T>
 struct Gears {
     static constexpr double loss_rate = 100;  // maximum rate at which friction stops the parts behind the gearbox [1/s]
@@ -75,18 +86,54 @@ struct Gears {
         T viscosity, connected;
     };
     Engaged at(const T& gear) const {
-        const T position = clamp(T(gear + T(1)), T(0), T(static_cast<double>(ratio.size() - 1)));
-        Engaged out{ratio[0], stiffness[0], damping[0], viscosity[0], connected[0]};
-        for (std::size_t i = 0; i + 1 < ratio.size(); ++i) {
-            const T passed = clamp(T(position - T(static_cast<double>(i))), T(0), T(1));
-            out.ratio += (ratio[i + 1] - ratio[i]) * passed;
-            out.stiffness += (stiffness[i + 1] - stiffness[i]) * passed;
-            out.damping += (damping[i + 1] - damping[i]) * passed;
-            out.viscosity += (viscosity[i + 1] - viscosity[i]) * passed;
-            out.connected += (connected[i + 1] - connected[i]) * passed;
-        }
-        return out;
+        return {at_gear(ratio, gear), at_gear(stiffness, gear), at_gear(damping, gear), at_gear(viscosity, gear),
+                at_gear(connected, gear)};
     }
+};
+
+// The shafts behind a gearbox whose input has an inertia of its own: a spring with play between the gearbox and what it drives, both
+// seen from the gearbox's input.
+template <class T>
+struct Shafts {
+    static constexpr double return_rate = 100;  // of the wind-up in neutral [1/s]
+    int present = 0;
+    T inertia{0}, inverse_inertia{0};   // of the gearbox, at its input [kg m^2]
+    std::vector<T> stiffness, damping;  // by gear
+    std::vector<T> half_play;           // by gear [rad]
+    static constexpr auto members() {
+        using S = Shafts;
+        return std::tuple(&S::present, &S::inertia, &S::inverse_inertia, &S::stiffness, &S::damping, &S::half_play);
+    }
+
+    bool exist() const { return present != 0; }
+
+    struct Output {
+        T torque, windup_rate;
+    };
+    // `slip`: speed of the gearbox's input over what the shafts drive, as seen from there. Teeth and joints push but do not pull: within
+    // the play there is no torque, and damping never turns its sign.
+    Output evaluate(const T& gear, const T& connected, const T& slip, const T& windup) const {
+        const T play = at_gear(half_play, gear);
+        const T twist = windup - clamp(windup, T(-play), play);
+        const T rate = connected * slip - (T(1) - connected) * T(return_rate) * windup;
+        const T spring = at_gear(stiffness, gear) * twist, both = spring + at_gear(damping, gear) * rate;
+        const T pushed = select(twist > T(0), max(both, T(0)), select(twist < T(0), min(both, T(0)), T(0)));
+        return {connected * select(play > T(0), pushed, both), rate};
+    }
+};
+
+// What the driver and controllers tell power units.
+template <class T>
+struct PowertrainInput {
+    T pedal, clutch, gear;  // as in Input
+    const T* commands;      // of all actuators, or null where they are at rest
+};
+
+// References into the values of a state.
+template <class Number>
+struct PowerUnitState {
+    Number &momentum, &windup, &throttle, &oil_torque;  // p_e [kg m^2/s], [rad], [1], [N m]
+    Number* shafts;                                     // momentum and wind-up, where there are shafts with an inertia
 };
 
 template <class T>
@@ -98,13 +145,49 @@ struct PowerUnit {
     T capacity;                  // of the clutch, or of the converter's lockup clutch [N m]
     Converter<T> converter;
     Gears<T> gears;
-    T loss_share;  // of the torque through the gearbox [1]
-    int output;    // differential that it drives
-    int command;   // index of its first command; -1: it takes none
+    Shafts<T> shafts;
+    T loss_share;       // of the torque through the gearbox [1]
+    int output;         // that it drives: index of a driven wheel, or -1 - index of a differential
+    int rotor_is_free;  // 0: it turns with the wheel on whose carrier the unit sits
+    int command;        // index of its first command; -1: it takes none
+    int place;          // of its numbers in a state
     static constexpr auto members() {
         using P = PowerUnit;
         return std::tuple(&P::source, &P::inertia, &P::inverse_inertia, &P::axis, &P::response_rate, &P::capacity,
-                          &P::converter, &P::gears, &P::loss_share, &P::output, &P::command);
+                          &P::converter, &P::gears, &P::shafts, &P::loss_share, &P::output, &P::rotor_is_free,
+                          &P::command, &P::place);
+    }
+
+    template <class Number>
+    PowerUnitState<Number> state(Number* values) const {
+        Number* at = values + place;
+        return {at[0], at[1], at[2], at[3], at + 4};
+    }
+    bool is_electric() const { return std::holds_alternative<ElectricMotor<T>>(source); }
+
+    // What it asks of its source.
+    struct Demand {
+        T spin;           // of the rotor [rad/s]
+        T throttle;       // effective [1]
+        T throttle_rate;  // [1/s]
+        T torque;         // [N m]
+        T regenerated;    // by how much it brakes more, in place of friction [N m]
+        T power;          // from a battery [W]
+    };
+    // `shaft`: speed of what it drives [rad/s]; `chassis`: angular velocity; `voltage`: of the battery; `brake`: torque at what it drives
+    // that the brake pedal asks for [N m].
+    Demand demand(const PowertrainInput<T>& told, const PowerUnitState<const T>& at, const T& shaft,
+                  const Vec3<T>& chassis, const T& voltage, const T& brake) const {
+        Demand out;
+        const T pedal = limited(told.pedal, told.commands);
+        out.spin = rotor_is_free ? T(at.momentum * inverse_inertia - axis.dot(chassis))
+                                 : T(at_gear(gears.ratio, told.gear) * shaft);
+        out.throttle = select(response_rate == T(0), clamp(pedal, T(0), T(1)), at.throttle);
+        out.throttle_rate = response_rate * (clamp(pedal, T(0), T(1)) - at.throttle);
+        out.torque = dispatch(source, [&](const auto& kind) -> T { return kind.at(out.throttle, out.spin, voltage); });
+        out.regenerated = out.power = T(0);
+        if (is_electric()) add_motor_demand(told, voltage, brake, out);
+        return out;
     }
 
     struct Output {
@@ -112,51 +195,108 @@ struct PowerUnit {
         T throttle;                       // effective [1]
         T source, clutch, pump, turbine;  // torques [N m]; the clutch's and the pump's are against the rotor
         T rotor;                          // total on the rotor
+        T gearbox;                        // total on the gearbox's input, where it has an inertia
         T out;                            // on the gearbox output
         T ratio;                          // in the present gear [1]
-        T windup_rate, throttle_rate, oil_torque_rate;
-        T loss;  // power [W]
+        T windup_rate, throttle_rate, oil_torque_rate, shafts_windup_rate;
+        T loss;            // power [W]
+        T electric_power;  // taken from a battery, negative where it gives back [W]
+        T regenerated;     // torque that takes the place of brakes, on the gearbox output [N m]
     };
+    // `share`: of the torque that it asked for.
+    Output evaluate(const Demand& asked, const T& share, const PowertrainInput<T>& told,
+                    const PowerUnitState<const T>& at, const Vec3<T>& chassis, const T& shaft) const {
+        Output o;
+        const auto engaged = gears.at(told.gear);
+        o.spin = asked.spin, o.ratio = engaged.ratio, o.throttle = asked.throttle;
+        o.throttle_rate = asked.throttle_rate;
+        o.source = asked.torque, o.electric_power = asked.power, o.regenerated = T(0);
+        if (is_electric()) {
+            const auto& motor = std::get<ElectricMotor<T>>(source);
+            o.source = asked.torque * share, o.electric_power = motor.electric_power(o.source, o.spin);
+            o.regenerated = asked.regenerated * share * abs(engaged.ratio);
+        }
+        if (rotor_is_free) {
+            couple(engaged, told, at, chassis, shaft, o);
+        } else {
+            o.shaft_speed = o.spin, o.clutch = o.source * engaged.connected;
+            o.pump = o.turbine = o.rotor = o.gearbox = T(0);
+            o.windup_rate = o.oil_torque_rate = o.shafts_windup_rate = T(0);
+            const T friction = friction_of(engaged, o.clutch, o.shaft_speed);
+            o.out = engaged.ratio * (o.clutch - friction), o.loss = friction * o.shaft_speed;
+        }
+        return o;
+    }
+
+    // Torque with the pedal released and fully pressed, for drivers.
+    std::array<T, 2> torque_range(const T& spin, const T& voltage) const {
+        return dispatch(source, [&](const auto& kind) -> std::array<T, 2> {
+            return {kind.at(T(0), spin, voltage), kind.at(T(1), spin, voltage)};
+        });
+    }
+
+private:
     // The pedal within the limits that controllers set.
     T limited(const T& pedal, const T* commands) const {
         if (!commands || command < 0) return pedal;
         return min(max(pedal, commands[command + UnitCommand::min_throttle]),
                    commands[command + UnitCommand::max_throttle]);
     }
-    // `shaft`: speed of the gearbox output [rad/s]; `clutch`: pedal; `followed`: throttle with its response lag.
-    Output evaluate(const T& pedal, const T& clutch, const T& gear, const T& spin, const T& shaft, const T& windup,
-                    const T& followed, const T& oil_torque) const {
-        Output o;
-        const auto engaged = gears.at(gear);
-        o.spin = spin, o.ratio = engaged.ratio, o.shaft_speed = engaged.ratio * shaft;
-        const auto at_once = response_rate == T(0);
-        o.throttle = select(at_once, clamp(pedal, T(0), T(1)), followed);
-        o.throttle_rate = response_rate * (clamp(pedal, T(0), T(1)) - followed);
-        o.source = dispatch(source, [&](const auto& kind) -> T { return kind.at(o.throttle, spin); });
-        const T closed = (T(1) - clamp(clutch, T(0), T(1))) * converter.lockup(spin, o.shaft_speed);
-        const T limit = capacity * closed * engaged.connected;
-        const auto clutch_friction = DryFriction<T>::evaluate(limit, T(spin - o.shaft_speed), windup, engaged.stiffness,
-                                                              engaged.damping, T(T(1) / engaged.stiffness));
-        o.clutch = -clutch_friction.torque, o.windup_rate = clutch_friction.windup_rate;
-        const auto fluid = converter.evaluate(spin, o.shaft_speed);
-        o.pump = oil_torque, o.turbine = oil_torque * fluid.multiplication;
-        o.oil_torque_rate = T(Converter<T>::oil_rate) * (fluid.pump * engaged.connected - oil_torque);
-        o.rotor = o.source - o.clutch - o.pump;
-        const T in = o.clutch + o.turbine;
-        // Opposes the rotation; viscous near standstill, with a slope that an explicit step can follow.
-        const T max_friction = loss_share * abs(in);
-        const T friction = clamp(T(engaged.viscosity * o.shaft_speed), T(-max_friction), max_friction);
-        o.out = engaged.ratio * (in - friction);
-        o.loss =
-            o.clutch * (spin - o.shaft_speed) + o.pump * spin - o.turbine * o.shaft_speed + friction * o.shaft_speed;
-        return o;
+
+    // What controllers add, and what the brake pedal asks for, within what the motor has.
+    void add_motor_demand(const PowertrainInput<T>& told, const T& voltage, const T& brake, Demand& out) const {
+        const auto& motor = std::get<ElectricMotor<T>>(source);
+        const bool commanded = told.commands && command >= 0;
+        const T strongest = motor.strongest(out.spin, voltage);
+        if (commanded) {
+            const T added = told.commands[command + UnitCommand::added_torque] * motor.max_torque;
+            out.torque = clamp(T(out.torque + added), T(-strongest), strongest);
+        }
+        const T ratio = abs(at_gear(gears.ratio, told.gear)), connected = at_gear(gears.connected, told.gear);
+        const T let = commanded ? told.commands[command + UnitCommand::max_regeneration] : T(1);
+        const T asked = min(T(brake / max(ratio, T(1e-3))), T(motor.brake_regeneration * let * strongest));
+        const T closed = rotor_is_free ? T(T(1) - clamp(told.clutch, T(0), T(1))) : T(1);
+        const T braking = asked * closed * connected * motor.braking(out.spin);
+        const T before = out.torque;
+        out.torque = clamp(T(before - braking), T(-strongest), strongest);
+        out.regenerated = abs(before - out.torque);
+        out.power = motor.electric_power(out.torque, out.spin);
     }
 
-    // Torque with the pedal released and fully pressed, for drivers.
-    std::array<T, 2> torque_range(const T& spin) const {
-        return dispatch(source, [&](const auto& kind) -> std::array<T, 2> {
-            return {kind.at(T(0), spin), kind.at(T(1), spin)};
-        });
+    // Opposes the rotation; viscous near standstill, with a slope that an explicit step can follow.
+    T friction_of(const typename Gears<T>::Engaged& engaged, const T& in, const T& speed) const {
+        const T max_friction = loss_share * abs(in);
+        return clamp(T(engaged.viscosity * speed), T(-max_friction), max_friction);
+    }
+
+    // From a rotor that turns on its own through clutch or converter to the gearbox, and behind it.
+    void couple(const typename Gears<T>::Engaged& engaged, const PowertrainInput<T>& told,
+                const PowerUnitState<const T>& at, const Vec3<T>& chassis, const T& shaft, Output& o) const {
+        const T& spin = o.spin;
+        const T driven = engaged.ratio * shaft;
+        o.shaft_speed = shafts.exist() ? T(at.shafts[0] * shafts.inverse_inertia - axis.dot(chassis)) : driven;
+        const T closed = (T(1) - clamp(told.clutch, T(0), T(1))) * converter.lockup(spin, o.shaft_speed);
+        const T reached = shafts.exist() ? T(1) : engaged.connected;
+        const T limit = capacity * closed * reached;
+        const auto clutch_friction = DryFriction<T>::evaluate(
+            limit, T(spin - o.shaft_speed), at.windup, engaged.stiffness, engaged.damping, T(T(1) / engaged.stiffness));
+        o.clutch = -clutch_friction.torque, o.windup_rate = clutch_friction.windup_rate;
+        const auto fluid = converter.evaluate(spin, o.shaft_speed);
+        o.pump = at.oil_torque, o.turbine = at.oil_torque * fluid.multiplication;
+        o.oil_torque_rate = T(Converter<T>::oil_rate) * (fluid.pump * reached - at.oil_torque);
+        o.rotor = o.source - o.clutch - o.pump;
+        const T in = o.clutch + o.turbine;
+        const T friction = friction_of(engaged, in, o.shaft_speed);
+        o.gearbox = o.shafts_windup_rate = T(0);
+        T passed = in - friction;
+        if (shafts.exist()) {
+            const auto twisted = shafts.evaluate(told.gear, engaged.connected, T(o.shaft_speed - driven), at.shafts[1]);
+            o.gearbox = passed - twisted.torque, o.shafts_windup_rate = twisted.windup_rate;
+            passed = twisted.torque;
+        }
+        o.out = engaged.ratio * passed;
+        o.loss =
+            o.clutch * (spin - o.shaft_speed) + o.pump * spin - o.turbine * o.shaft_speed + friction * o.shaft_speed;
     }
 };
 

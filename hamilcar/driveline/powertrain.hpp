@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hamilcar/base/assert.hpp"
+#include "hamilcar/driveline/battery.hpp"
 #include "hamilcar/driveline/differential.hpp"
 #include "hamilcar/driveline/power_unit.hpp"
 
@@ -13,26 +14,28 @@ namespace hamilcar {
 
 inline constexpr int max_driven_wheels = 2 * max_differentials;
 
-// References into the values of a state.
-template <class Number>
-struct PowerUnitState {
-    Number &momentum, &windup, &throttle, &oil_torque;  // p_e [kg m^2/s], [rad], [1], [N m]
-};
-
 template <class T>
 struct PowertrainMomenta {
     std::array<typename PowerUnit<T>::Output, max_power_units> units;
     std::array<typename Differential<T>::Output, max_differentials> differentials;
+    std::array<T, max_differentials> inputs;  // torque into each differential [N m]
     std::array<T, max_driven_wheels> wheels;  // torque on each driven wheel [N m]
-    T supplied;                               // by the sources [W]
+    std::array<T, max_driven_wheels>
+        regenerated;            // part of it that takes the place of the wheel's brake, positive [N m]
+    BatteryMomenta<T> battery;  // where there is one
+    T supplied;                 // by the sources [W]
     PowertrainMomenta() {}
 };
 
-// What the driver and controllers tell it.
+// How the car moves, and what the brake pedal asks for.
 template <class T>
-struct PowertrainInput {
-    T pedal, clutch, gear;  // as in Input
-    const T* commands;      // of all actuators, or null where they are at rest
+struct PowertrainMotion {
+    Vec3<T> chassis;                          // angular velocity
+    std::array<T, max_driven_wheels> wheels;  // speeds relative to the part that carries the differential [rad/s]
+    std::array<T, max_differentials>
+        axle_turns;  // of the axle that carries a differential against the chassis, about its input [rad/s]
+    std::array<T, max_driven_wheels> brakes;  // torque that each wheel's brake would hold [N m]
+    PowertrainMotion() {}
 };
 
 template <class T>
@@ -40,23 +43,19 @@ struct Powertrain {
     std::vector<PowerUnit<T>> units;
     std::vector<Differential<T>> differentials;
     std::vector<int> wheels;  // driven ones, by their indices in the vehicle
-    // In a state (vehicle/state_layout.hpp): of the first unit's numbers, of the first differential's, of the energy supplied.
-    int unit_place = 0, differential_place = 0, supplied_place = 0;
+    Battery<T> battery;
+    T supply_voltage{0};  // of motors without a battery [V]
+    int regenerates = 0;  // whether the brake pedal asks motors to brake
+    // In a state (vehicle/state_layout.hpp): of the first differential's number, of the energy supplied.
+    int differential_place = 0, supplied_place = 0;
     static constexpr auto members() {
         using P = Powertrain;
-        return std::tuple(&P::units, &P::differentials, &P::wheels, &P::unit_place, &P::differential_place,
-                          &P::supplied_place);
+        return std::tuple(&P::units, &P::differentials, &P::wheels, &P::battery, &P::supply_voltage, &P::regenerates,
+                          &P::differential_place, &P::supplied_place);
     }
 
     bool exists() const { return !units.empty(); }
 
-    template <class Number>
-    PowerUnitState<Number> unit_state(std::size_t i, Number* values) const {
-        HAMILCAR_ASSERT(i < units.size());
-        constexpr int numbers = 4;  // of a unit
-        Number* at = values + unit_place + numbers * static_cast<int>(i);
-        return {at[0], at[1], at[2], at[3]};
-    }
     template <class Number>
     Number& windup(std::size_t differential, Number* values) const {
         HAMILCAR_ASSERT(differential < differentials.size());
@@ -67,50 +66,101 @@ struct Powertrain {
         return values[supplied_place];
     }
 
-    // Speeds of the differentials' inputs from those of the driven wheels [rad/s].
-    std::array<T, max_differentials> input_speeds(const std::array<T, max_driven_wheels>& wheel_speeds) const {
-        std::array<T, max_differentials> speeds;
-        const auto of = [&](int output) -> const T& { return value(output, wheel_speeds, speeds); };
-        for (std::size_t d = 0; d < differentials.size(); ++d) {
-            speeds[d] = differentials[d].input_speed(of(differentials[d].outputs[0]), of(differentials[d].outputs[1]));
-        }
-        return speeds;
-    }
-
-    // The element that an output of a differential refers to: a driven wheel, or an earlier differential.
+    // The element that an output refers to: a driven wheel, or a differential.
     template <class Wheels, class Inner>
     static auto& value(int output, Wheels& wheels, Inner& differentials) {
         return output >= 0 ? wheels[static_cast<std::size_t>(output)]
                            : differentials[static_cast<std::size_t>(-1 - output)];
     }
 
-    // Torques on the driven wheels; `wheel_speeds`: relative to the part that carries the differential; `chassis`: angular
-    // velocity of the chassis.
-    void evaluate(const PowertrainInput<T>& told, const Vec3<T>& chassis,
-                  const std::array<T, max_driven_wheels>& wheel_speeds, const T* values,
+    // Speeds of the differentials' inputs where they are driven from [rad/s].
+    std::array<T, max_differentials> input_speeds(const PowertrainMotion<T>& at) const {
+        std::array<T, max_differentials> speeds;
+        const auto of = [&](int output) -> const T& { return value(output, at.wheels, speeds); };
+        for (std::size_t d = 0; d < differentials.size(); ++d) {
+            const Differential<T>& one = differentials[d];
+            speeds[d] = one.input_speed(of(one.outputs[0]), of(one.outputs[1]));
+            if (one.on_axle >= 0) speeds[d] += at.axle_turns[d];
+        }
+        return speeds;
+    }
+
+    void evaluate(const PowertrainInput<T>& told, const PowertrainMotion<T>& at, const T* values,
                   PowertrainMomenta<T>& out) const {
-        const std::array<T, max_differentials> speeds = input_speeds(wheel_speeds);
-        std::array<T, max_differentials> torques;
-        torques.fill(T(0));
-        for (std::size_t i = 0; i < wheels.size(); ++i) out.wheels[i] = T(0);
-        out.supplied = T(0);
-        for (std::size_t i = 0; i < units.size(); ++i) {
-            const PowerUnit<T>& unit = units[i];
-            const auto state = unit_state(i, values);
-            const auto output = static_cast<std::size_t>(unit.output);
-            const T spin = state.momentum * unit.inverse_inertia - unit.axis.dot(chassis);
-            out.units[i] = unit.evaluate(unit.limited(told.pedal, told.commands), told.clutch, told.gear, spin,
-                                         speeds[output], state.windup, state.throttle, state.oil_torque);
-            torques[output] += out.units[i].out;
-            out.supplied += out.units[i].source * spin;
+        const std::array<T, max_differentials> speeds = input_speeds(at);
+        out.inputs.fill(T(0));
+        for (std::size_t i = 0; i < wheels.size(); ++i) out.wheels[i] = out.regenerated[i] = T(0);
+        supply(told, at, speeds, values, out);
+        for (const PowerUnit<T>& unit : units) {
+            value(unit.output, out.wheels, out.inputs) += out.units[index_of(unit)].out;
         }
         for (std::size_t d = differentials.size(); d-- > 0;) {
             const Differential<T>& one = differentials[d];
             const auto& [a, b] = one.outputs;
-            out.differentials[d] = one.evaluate(torques[d], value(a, wheel_speeds, speeds),
-                                                value(b, wheel_speeds, speeds), windup(d, values));
-            value(a, out.wheels, torques) += out.differentials[d].a;
-            value(b, out.wheels, torques) += out.differentials[d].b;
+            out.differentials[d] = one.evaluate(out.inputs[d], value(a, at.wheels, speeds), value(b, at.wheels, speeds),
+                                                windup(d, values));
+            value(a, out.wheels, out.inputs) += out.differentials[d].a;
+            value(b, out.wheels, out.inputs) += out.differentials[d].b;
+        }
+        if (regenerates) share_regeneration(out);
+    }
+
+private:
+    std::size_t index_of(const PowerUnit<T>& unit) const { return static_cast<std::size_t>(&unit - units.data()); }
+
+    // All power units, within what a battery has.
+    void supply(const PowertrainInput<T>& told, const PowertrainMotion<T>& at,
+                const std::array<T, max_differentials>& speeds, const T* values, PowertrainMomenta<T>& out) const {
+        std::array<typename PowerUnit<T>::Demand, max_power_units> demands;
+        const T voltage = battery.exists() ? battery.state(values).voltage : supply_voltage;
+        std::array<T, max_differentials> brakes;
+        if (regenerates) brakes = input_brakes(at);
+        T drawn(0), returned(0), power(0);
+        for (std::size_t i = 0; i < units.size(); ++i) {
+            const PowerUnit<T>& unit = units[i];
+            const T brake = regenerates ? value(unit.output, at.brakes, brakes) : T(0);
+            demands[i] = unit.demand(told, unit.state(values), value(unit.output, at.wheels, speeds), at.chassis,
+                                     voltage, brake);
+            drawn += max(demands[i].power, T(0)), returned += max(T(-demands[i].power), T(0));
+        }
+        BatteryShares<T> shares;
+        if (battery.exists()) shares = battery.shares(drawn, returned, battery.state(values).charge);
+        out.supplied = T(0);
+        for (std::size_t i = 0; i < units.size(); ++i) {
+            const PowerUnit<T>& unit = units[i];
+            const T share = battery.exists() && unit.is_electric()
+                                ? T(select(demands[i].power > T(0), shares.driving, shares.braking))
+                                : T(1);
+            out.units[i] = unit.evaluate(demands[i], share, told, unit.state(values), at.chassis,
+                                         value(unit.output, at.wheels, speeds));
+            out.supplied += out.units[i].source * out.units[i].spin;
+            power += out.units[i].electric_power;
+        }
+        if (battery.exists()) out.battery = battery.evaluate(power, battery.state(values));
+    }
+
+    // What the brake pedal asks for at the differentials' inputs.
+    std::array<T, max_differentials> input_brakes(const PowertrainMotion<T>& at) const {
+        std::array<T, max_differentials> brakes;
+        for (std::size_t d = 0; d < differentials.size(); ++d) {
+            const auto& [a, b] = differentials[d].outputs;
+            brakes[d] = differentials[d].input_torque(value(a, at.brakes, brakes), value(b, at.brakes, brakes));
+        }
+        return brakes;
+    }
+
+    // Down the tree as with open differentials.
+    void share_regeneration(PowertrainMomenta<T>& out) const {
+        std::array<T, max_differentials> inputs;
+        inputs.fill(T(0));
+        for (const PowerUnit<T>& unit : units) {
+            value(unit.output, out.regenerated, inputs) += out.units[index_of(unit)].regenerated;
+        }
+        for (std::size_t d = differentials.size(); d-- > 0;) {
+            const Differential<T>& one = differentials[d];
+            const T passed = one.ratio * inputs[d];
+            value(one.outputs[0], out.regenerated, inputs) += one.share * passed;
+            value(one.outputs[1], out.regenerated, inputs) += (T(1) - one.share) * passed;
         }
     }
 };

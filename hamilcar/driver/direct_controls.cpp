@@ -63,6 +63,9 @@ DirectControls::DirectControls(const VehicleDescription& vehicle, const Scenario
     if (has_brakes(vehicle) && !(driver.speed && driver.speed->may_brake)) {
         list_.push_back({"brake", "1", "brake pedal, 0 to 1", Control::brake, 0, 1});
     }
+    if (has_parking_brake(vehicle)) {
+        list_.push_back({"parking_brake", "1", "its lever, 0 released to 1", Control::parking_brake, 0, 1});
+    }
     if (schedule.powered() && !driver.shifting) {
         list_.push_back({"clutch", "1", "clutch pedal, 0 released to 1 pressed", Control::clutch, 0, 1});
         const auto [lowest, highest] = gears(vehicle);

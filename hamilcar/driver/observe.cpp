@@ -18,9 +18,17 @@ double angle_of(double y, double x) {
     return (y < 0 ? -std::numbers::pi : std::numbers::pi) - arctangent(y, -x);
 }
 
-std::array<double, max_differentials> differential_speeds(const Model<double>& model, const State<double>& state,
-                                                          const Velocity<double>& velocity) {
-    return model.vehicle.powertrain.input_speeds(shaft_speeds(model.vehicle, state, velocity));
+// Of what each power unit drives [rad/s].
+std::array<double, max_power_units> output_speeds(const Model<double>& model, const State<double>& state,
+                                                  const Velocity<double>& velocity) {
+    const Powertrain<double>& powertrain = model.vehicle.powertrain;
+    const PowertrainMotion<double> motion = powertrain_motion(model.vehicle, state, velocity);
+    const auto inputs = powertrain.input_speeds(motion);
+    std::array<double, max_power_units> out{};
+    for (std::size_t i = 0; i < powertrain.units.size(); ++i) {
+        out[i] = powertrain.value(powertrain.units[i].output, motion.wheels, inputs);
+    }
+    return out;
 }
 
 // Total wheel torque per torque at a differential's input: the product of all ratios on the way.
@@ -36,11 +44,14 @@ PowerUnitObservation observe_power_unit(const Powertrain<double>& powertrain, st
     const PowerUnit<double>& unit = powertrain.units[i];
     const double ratio = unit.gears.at(input.gear).ratio;
     PowerUnitObservation out;
-    out.speed = powertrain.unit_state(i, state.values.data()).momentum * unit.inverse_inertia -
-                unit.axis.dot(angular(velocity.chassis));
+    const auto at = unit.state(state.values.data());
     out.shaft_speed = ratio * shaft;
-    out.wheel_ratio = ratio * torque_ratio(powertrain, -1 - unit.output);
-    const auto [min_torque, max_torque] = unit.torque_range(out.speed);
+    out.speed = unit.rotor_is_free ? at.momentum * unit.inverse_inertia - unit.axis.dot(angular(velocity.chassis))
+                                   : out.shaft_speed;
+    out.wheel_ratio = ratio * torque_ratio(powertrain, unit.output);
+    const double voltage =
+        powertrain.battery.exists() ? powertrain.battery.state(state.values.data()).voltage : powertrain.supply_voltage;
+    const auto [min_torque, max_torque] = unit.torque_range(out.speed, voltage);
     out.min_torque = min_torque, out.max_torque = max_torque;
     return out;
 }
@@ -65,11 +76,10 @@ Observation observe(const Model<double>& model, const State<double>& state, cons
     out.gear = input.gear;
     const Powertrain<double>& powertrain = model.vehicle.powertrain;
     if (!powertrain.exists()) return out;
-    const auto speeds = differential_speeds(model, state, velocity);
+    const auto speeds = output_speeds(model, state, velocity);
     out.unit_count = static_cast<int>(powertrain.units.size());
     for (std::size_t i = 0; i < powertrain.units.size(); ++i) {
-        const double shaft = speeds[static_cast<std::size_t>(powertrain.units[i].output)];
-        out.units[i] = observe_power_unit(powertrain, i, state, input, velocity, shaft);
+        out.units[i] = observe_power_unit(powertrain, i, state, input, velocity, speeds[i]);
     }
     return out;
 }
@@ -87,17 +97,26 @@ void set_rotors(const Model<double>& model, const Input<double>& input, State<do
     const Powertrain<double>& powertrain = model.vehicle.powertrain;
     if (!powertrain.exists()) return;
     const Velocity<double> velocity = velocity_block(model, state, input);
-    const auto speeds = differential_speeds(model, state, velocity);
+    const auto speeds = output_speeds(model, state, velocity);
     Vec3<double> gained = Vec3<double>::Zero();
     for (std::size_t i = 0; i < powertrain.units.size(); ++i) {
         const PowerUnit<double>& unit = powertrain.units[i];
-        const double spin =
-            initial_speed(unit, input.gear, input.clutch, speeds[static_cast<std::size_t>(unit.output)]);
-        const auto to = powertrain.unit_state(i, state.values.data());
-        const double momentum = unit.inertia * (spin + unit.axis.dot(angular(velocity.chassis)));
-        gained += unit.axis * (momentum - to.momentum);
-        to.momentum = momentum;
+        const auto to = unit.state(state.values.data());
         to.throttle = std::clamp(input.throttle, 0.0, 1.0);
+        if (!unit.rotor_is_free) continue;
+        const double turning = unit.axis.dot(angular(velocity.chassis));
+        const double spin = initial_speed(unit, input.gear, input.clutch, speeds[i]);
+        const auto turn = [&](double inertia, double speed, double& of) {
+            const double momentum = inertia * (speed + turning);
+            gained += unit.axis * (momentum - of);
+            of = momentum;
+        };
+        turn(unit.inertia, spin, to.momentum);
+        if (!unit.shafts.exist()) continue;
+        const auto engaged = unit.gears.at(input.gear);
+        const bool turns_along = input.clutch < 1;  // in neutral
+        const double driven = engaged.connected > 0 ? engaged.ratio * speeds[i] : turns_along ? spin : 0;
+        turn(unit.shafts.inertia, driven, to.shafts[0]);
     }
     const Vec3<double> gained_ground = velocity.R_GC * gained;
     with_chart(model, [&](auto chart) {

@@ -50,6 +50,7 @@ Schedule::Schedule(const ScenarioDescription& scenario, const SteeringDescriptio
     at(Control::rack) = rack_signal(scenario, steering);
     at(Control::drive_torque) = Signal(scenario.drive);
     at(Control::brake) = Signal(scenario.brake);
+    at(Control::parking_brake) = Signal(scenario.parking_brake);
     at(Control::throttle) = Signal(scenario.throttle);
     at(Control::clutch) = Signal(scenario.clutch);
     at(Control::gear) = Signal(scenario.gear);

@@ -16,8 +16,20 @@
 namespace hamilcar {
 
 // The prescribed inputs, each with its own signal.
-enum class Control { rack, drive_torque, brake, throttle, clutch, gear, wind_x, wind_y, hands_hold, hands_torque };
-inline constexpr std::size_t control_count = 10;
+enum class Control {
+    rack,
+    drive_torque,
+    brake,
+    throttle,
+    clutch,
+    gear,
+    wind_x,
+    wind_y,
+    hands_hold,
+    hands_torque,
+    parking_brake
+};
+inline constexpr std::size_t control_count = 11;
 
 // All inputs at a time [s]; `at` returns the SignalValue<T> of a control.
 template <class T, class At>
@@ -27,6 +39,7 @@ Input<T> input_of(double time, bool powered, bool windy, bool free_rack, const A
                    .drive_torque = at(Control::drive_torque).value,
                    .brake = at(Control::brake).value,
                    .time = time};
+    input.parking_brake = at(Control::parking_brake).value;
     if (powered) {
         input.throttle = at(Control::throttle).value;
         input.clutch = at(Control::clutch).value;

@@ -63,7 +63,8 @@ private:
                                                          from.wind_x,
                                                          from.wind_y,
                                                          from.hands_hold,
-                                                         from.hands_torque};
+                                                         from.hands_torque,
+                                                         from.parking_brake};
         std::ranges::copy(numbers, to);
     }
 

@@ -23,8 +23,9 @@ class LaneDriver {
 public:
     // Where each control begins in RhsInput; the rack has its rates as well.
     static constexpr std::array<int, control_count> first_input{
-        RhsInput::rack, RhsInput::drive_torque, RhsInput::brake,  RhsInput::throttle,   RhsInput::clutch,
-        RhsInput::gear, RhsInput::wind_x,       RhsInput::wind_y, RhsInput::hands_hold, RhsInput::hands_torque};
+        RhsInput::rack,       RhsInput::drive_torque, RhsInput::brake,        RhsInput::throttle,
+        RhsInput::clutch,     RhsInput::gear,         RhsInput::wind_x,       RhsInput::wind_y,
+        RhsInput::hands_hold, RhsInput::hands_torque, RhsInput::parking_brake};
 
     LaneDriver(int lanes, int commands)
         : lanes_(static_cast<std::size_t>(lanes)),

@@ -134,6 +134,7 @@ private:
                 .wind_y = at(I::wind_y),
                 .hands_hold = at(I::hands_hold),
                 .hands_torque = at(I::hands_torque),
+                .parking_brake = at(I::parking_brake),
                 .commands = traced_commands()};
     }
     const T* traced_commands() {

@@ -34,6 +34,7 @@ struct RhsInput {
         wind_y,
         hands_hold,
         hands_torque,
+        parking_brake,
         size
     };
 };

@@ -1,5 +1,8 @@
 #include "hamilcar/io/vehicle_tables.hpp"
 
+#include <algorithm>
+#include <numbers>
+
 #include "hamilcar/suspension/recipe.hpp"
 #include "hamilcar/tire/mirrored.hpp"
 #include "hamilcar/vehicle/suspension.hpp"
@@ -127,14 +130,41 @@ std::vector<std::string_view> suspension_keywords() {
     return words;
 }
 
+// Whether a rack moves any part of it.
+bool is_steered(const LinkageDescription& linkage) {
+    return std::ranges::any_of(linkage.cuts, [](const CutJointDescription& cut) { return cut.drive != Point{}; });
+}
+
+// An actuator that moves the axle's rack in place of the steering wheel.
+void read_steering_actuator(const TableReader& axle, std::size_t unit, std::size_t first, VehicleDescription& vehicle) {
+    const auto table = axle.optional_table("steering_actuator");
+    if (!table) return;
+    constexpr Range travel{"number above 0, 0.2 at most", 0, 0.2, false}, frequency{"number from 0.1 to 50", 0.1, 50};
+    constexpr Range damping{"number from 0.1 to 2", 0.1, 2};
+    const AxleSteerDescription own{.axle = axle.text("name"),
+                                   .travel = table->number("travel_m", travel),
+                                   .frequency = 2 * std::numbers::pi * table->number("frequency_hz", frequency, 5),
+                                   .damping_ratio = table->number("damping_ratio", damping, 1)};
+    if (axle.is_recording()) return;
+    axle.expect(unit == 0, "steering_actuator", "no such table on a trailer");
+    axle.expect(is_steered(vehicle.suspensions[first].linkage), "steering_actuator",
+                "a linkage whose 'steered' is true, or a cut with a 'rack' of its own, beside it");
+    axle.expect(vehicle.axle_steers.size() < max_axle_steers, "steering_actuator",
+                std::to_string(max_axle_steers) + " axles with it at most");
+    for (std::size_t s = first; s < vehicle.suspensions.size(); ++s) {
+        vehicle.suspensions[s].steered_by = vehicle.axle_steers.size();
+    }
+    vehicle.axle_steers.push_back(own);
+}
+
 // Keys that an axle has for both of its sides.
-constexpr std::string_view of_both_sides[] = {"name",         "suspension",         "drive_share",
-                                              "twist_spring", "right_carrier_part", "right"};
+constexpr std::string_view of_both_sides[] = {
+    "name", "suspension", "drive_share", "twist_spring", "right_carrier_part", "right", "steering_actuator"};
 
 }  // namespace
 
 void read_axle(const TableReader& axle, const NamedTires& tires, std::size_t unit, VehicleDescription& vehicle) {
-    const std::size_t first_wheel = wheel_count(vehicle);
+    const std::size_t first_wheel = wheel_count(vehicle), first = vehicle.suspensions.size();
     const std::vector<std::string_view> words = suspension_keywords();
     const AxleTables tables{axle, axle.laid_over("right", of_both_sides)};
     axle.choose("suspension", words, {}, [&](std::size_t word) {
@@ -149,6 +179,7 @@ void read_axle(const TableReader& axle, const NamedTires& tires, std::size_t uni
         if (const Recipe* recipe = find_recipe(words[word])) return read_recipe(tables, *recipe, unit > 0, add);
         read_own_linkage(tables, unit > 0, add);
     });
+    read_steering_actuator(axle, unit, first, vehicle);
     axle.note_laid_over("right", of_both_sides, tables.right);
 }
 

@@ -92,6 +92,7 @@ SensorsDescription read_sensors(const std::optional<TableReader>& table) {
     out.acceleration = read_sensor(*table, "acceleration", "m_per_s2");
     out.pressure = read_sensor(*table, "pressure", "bar");
     out.steering_wheel = read_sensor(*table, "steering_wheel", "deg");
+    out.travel = read_sensor(*table, "travel", "m");
     return out;
 }
 

@@ -47,6 +47,7 @@ DifferentialDescription read_differential(const TableReader& table, double chass
     out.shaft_stiffness =
         table.number_or_else("shaft_stiffness_N_m_per_rad", positive, default_shaft_stiffness(chassis_mass));
     out.damping_ratio = table.number("damping_ratio", not_negative, out.damping_ratio);
+    out.shaft_axis = table.direction("shaft_axis", out.shaft_axis);
     return out;
 }
 
@@ -62,8 +63,8 @@ std::vector<DrivenWheel> wheels_of(const VehicleDescription& vehicle) {
 }
 
 // What a name among a differential's outputs stands for; differentials by their place in the file.
-DifferentialDescription::Output find_output(const TableReader& table, const std::string& name,
-                                            const std::vector<Entry>& entries, const std::vector<DrivenWheel>& wheels) {
+DrivenPart find_output(const TableReader& table, const std::string& name, const std::vector<Entry>& entries,
+                       const std::vector<DrivenWheel>& wheels) {
     const auto of = [](const Entry& entry) { return entry.differential.name; };
     const auto inner = std::ranges::find(entries, name, of);
     if (inner != entries.end()) return {.wheel = false, .number = static_cast<std::size_t>(inner - entries.begin())};
@@ -101,7 +102,7 @@ std::vector<std::size_t> upward(const std::vector<Entry>& entries) {
     std::vector<std::size_t> order, open(entries.size());
     for (std::size_t i = 0; i < open.size(); ++i) open[i] = i;
     const auto is_ready = [&](std::size_t i) {
-        return std::ranges::all_of(entries[i].differential.outputs, [&](const DifferentialDescription::Output& output) {
+        return std::ranges::all_of(entries[i].differential.outputs, [&](const DrivenPart& output) {
             return output.wheel || std::ranges::find(order, output.number) != order.end();
         });
     };
@@ -135,7 +136,7 @@ std::vector<TableReader> read_differentials(const TableReader& file, VehicleDesc
     std::vector<TableReader> tables;
     for (const std::size_t place : order) {
         DifferentialDescription differential = entries[place].differential;
-        for (DifferentialDescription::Output& output : differential.outputs) {
+        for (DrivenPart& output : differential.outputs) {
             if (output.wheel) continue;
             output.number = static_cast<std::size_t>(std::ranges::find(order, output.number) - order.begin());
         }

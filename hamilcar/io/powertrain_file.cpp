@@ -2,12 +2,10 @@
 #include "hamilcar/io/vehicle_tables.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "hamilcar/base/text.hpp"
 #include "hamilcar/base/units.hpp"
-#include "hamilcar/driveline/source.hpp"
 #include "hamilcar/io/choices.hpp"
 #include "hamilcar/io/default_values.hpp"
 #include "hamilcar/io/spelling.hpp"
@@ -18,167 +16,11 @@ namespace {
 
 using units::rpm;
 
-void expect_points(const TableReader& table, std::string_view key, std::size_t count) {
-    table.expect(count >= 2 && count <= std::size_t{max_curve_points}, key,
-                 "2 to " + std::to_string(max_curve_points) + " numbers");
-}
-
-// Between overrun and full load, if the file has any.
-void read_part_loads(const TableReader& engine, EngineDescription& to) {
-    if (!engine.has("part_load")) return;
-    constexpr Range part{"number between 0 and 1", 0, 1, false};
-    const std::vector<double> speed = to.torque[0].speed;
-    for (const TableReader& load : engine.tables("part_load")) {
-        const double throttle = load.number("throttle", part);
-        load.expect(throttle > to.throttle.back() && throttle < 1, "throttle",
-                    "a number between the one before, " + number_text(to.throttle.back()) + ", and 1");
-        const std::vector<double> torque = load.numbers("torque_N_m", any_number);
-        load.expect(torque.size() == speed.size(), "torque_N_m",
-                    std::to_string(speed.size()) + " numbers, one for each of 'speed_rpm'");
-        to.throttle.push_back(throttle);
-        to.torque.push_back({speed, torque});
-    }
-    engine.expect(to.throttle.size() < std::size_t{max_curve_points}, "part_load",
-                  std::to_string(max_curve_points - 2) + " part loads at most");
-}
-
-// Between two points ratio and torque ratio are linear, their product, turbine power over pump power, a parabola.
-double max_efficiency(const Samples& torque_ratio) {
-    double max_found = 0;
-    const auto look = [&](double nu, double ratio) { max_found = std::max(max_found, nu * ratio); };
-    for (std::size_t i = 0; i < torque_ratio.argument.size(); ++i) {
-        const double x = torque_ratio.argument[i], y = torque_ratio.value[i];
-        look(x, y);
-        if (i + 1 == torque_ratio.argument.size()) break;
-        const double next = torque_ratio.argument[i + 1], slope = (torque_ratio.value[i + 1] - y) / (next - x);
-        const double top = slope < 0 ? 0.5 * (x - y / slope) : next;
-        if (top > x && top < next) look(top, y + slope * (top - x));
-    }
-    return max_found;
-}
-
-// The starter brings it to where it fires, against its drag.
-void check_starting(const TableReader& table, const EngineDescription& engine) {
-    using Engine = CombustionEngine<double>;
-    const Curve<double> drag(engine.torque.front().speed, engine.torque.front().torque);
-    const double starter = Engine::starter_share * engine.torque.back().torque.front();
-    const double fires = Engine::full_combustion * engine.idle_speed;
-    double max = -drag.at(fires);
-    for (std::size_t i = 0; i < engine.torque.front().speed.size(); ++i) {
-        if (engine.torque.front().speed[i] < fires) max = std::max(max, -engine.torque.front().torque[i]);
-    }
-    table.expect(
-        max < starter, "overrun_N_m",
-        "numbers above " + number_text(-starter) +
-            " up to half of 'idle_rpm', where it fires: the starter has 0.3 times the first of 'full_load_N_m'");
-}
-
-EngineDescription read_engine(const TableReader& table) {
-    constexpr Range not_positive{"number not above zero", -std::numeric_limits<double>::infinity(), 0};
-    const Samples full = table.samples("speed_rpm", "full_load_N_m", any_number);
-    Samples overrun{full.argument, default_overrun(full.argument, std::ranges::max(full.value))};
-    if (table.has("overrun_N_m")) overrun = table.samples("speed_rpm", "overrun_N_m", not_positive);
-    expect_points(table, "speed_rpm", full.argument.size());
-    table.expect(full.argument[0] >= 0, "speed_rpm", "speeds not below zero");
-    for (std::size_t i = 0; i < full.value.size(); ++i) {
-        table.expect(full.value[i] >= overrun.value[i], "full_load_N_m", "no torque below that of 'overrun_N_m'");
-    }
-    table.expect(full.value[0] > 0, "full_load_N_m", "a first torque above zero: the engine has to start");
-    table.expect(full.value.back() <= 0, "full_load_N_m", "a last torque of 0 or below: there the engine is limited");
-    EngineDescription engine;
-    engine.idle_speed = table.number("idle_rpm", positive);
-    table.expect(engine.idle_speed < full.argument.back(), "idle_rpm", "a number below the last of 'speed_rpm'");
-    engine.throttle = {0};
-    engine.torque = {{overrun.argument, overrun.value}};
-    read_part_loads(table, engine);
-    engine.throttle.push_back(1);
-    engine.torque.push_back({full.argument, full.value});
-    if (!table.is_recording()) check_starting(table, engine);
-    return engine;
-}
-
-MotorDescription read_motor(const TableReader& table) {
-    return {.max_torque = table.number("max_torque_N_m", positive),
-            .max_power = table.number("max_power_W", positive),
-            .max_speed = table.number("max_speed_rpm", positive),
-            .regeneration = table.number("regeneration", fraction, 0)};
-}
-
-ConverterDescription read_converter(const TableReader& table) {
-    constexpr std::string_view pump_key = "pump_torque_at_2000rpm_N_m";
-    const Samples curve = table.samples("speed_ratio", "torque_ratio", positive);
-    expect_points(table, "speed_ratio", curve.argument.size());
-    table.expect(curve.argument.front() >= 0 && curve.argument.back() <= 1, "speed_ratio", "numbers from 0 to 1");
-    ConverterDescription converter{.speed_ratio = curve.argument,
-                                   .torque_ratio = curve.value,
-                                   .capacity = table.numbers(pump_key, not_negative),
-                                   .lockup_capacity = table.number("lockup_capacity_N_m", not_negative, 0)};
-    table.expect(converter.capacity.size() == curve.argument.size(), pump_key,
-                 std::to_string(curve.argument.size()) + " numbers, one for each of 'speed_ratio'");
-    table.expect(max_efficiency(curve) <= 1 + 1e-9, "torque_ratio",
-                 "numbers that times their speed ratio, there and between, are 1 at most: no converter makes power");
-    table.expect(curve.argument.back() == 1, "speed_ratio", "a last number of 1, where pump and turbine turn alike");
-    table.expect(converter.capacity.empty() || converter.capacity.back() == 0, pump_key,
-                 "a last number of 0: what turns alike passes no torque");
-    for (double& capacity : converter.capacity) capacity /= (2000 * rpm) * (2000 * rpm);
-    return converter;
-}
-
-std::variant<ClutchDescription, ConverterDescription> read_coupling(const TableReader& unit) {
-    std::variant<ClutchDescription, ConverterDescription> out;
-    unit.choose({{"clutch"}, {"converter"}}, [&](std::size_t group) {
-        if (group == 1) {
-            out = read_converter(unit.table("converter"));
-        } else if (const auto clutch = unit.optional_table("clutch")) {
-            out = ClutchDescription{clutch->number("capacity_N_m", not_negative)};
-        }
-    });
-    return out;
-}
-
-// A gear that was shifted to must not be left at once.
-void check_shifts(const TableReader& table, const GearboxDescription& gearbox) {
-    double step = 1;  // largest fall of the speed [1]
-    for (std::size_t i = 0; i + 1 < gearbox.ratios.size(); ++i) {
-        step = std::min(step, gearbox.ratios[i + 1] / gearbox.ratios[i]);
-    }
-    const auto check = [&](std::string_view key, double up, double down) {
-        table.expect(gearbox.upshift_speed == 0 || down < up * step, key,
-                     "a number below " + number_text(up * step / rpm) + ", which is left after shifting up");
-    };
-    check("downshift_rpm", gearbox.upshift_speed, gearbox.downshift_speed);
-    check("downshift_closed_rpm", gearbox.upshift_speed_closed, gearbox.downshift_speed_closed);
-    table.expect(!gearbox.automatic || gearbox.ratios.size() == 1 || gearbox.upshift_speed > 0, "upshift_rpm",
-                 "a positive number: an automatic gearbox shifts by itself");
-}
-
-GearboxDescription read_gearbox(const std::optional<TableReader>& table) {
-    constexpr Range efficiency{"number above 0, 1 at most", 0, 1, false};
-    GearboxDescription gearbox;
-    if (!table) return gearbox;
-    gearbox.ratios = table->numbers("ratios", positive);
-    table->expect(gearbox.ratios.size() <= std::size_t{max_gears}, "ratios",
-                  std::to_string(max_gears) + " gears at most");
-    table->expect(std::ranges::adjacent_find(gearbox.ratios, std::ranges::less_equal{}) == gearbox.ratios.end(),
-                  "ratios", "numbers that decrease, from first gear on");
-    gearbox.reverse_ratio = table->number("reverse_ratio", not_negative, 0);
-    gearbox.efficiency = table->number("efficiency", efficiency, 1);
-    gearbox.automatic = word<bool>(*table, "shift", {{"manual", false}, {"automatic", true}});
-    gearbox.shift_time = table->number("shift_time_s", not_negative, gearbox.shift_time);
-    gearbox.upshift_speed = table->number("upshift_rpm", not_negative, 0);
-    gearbox.upshift_speed_closed = table->number_or_else("upshift_closed_rpm", not_negative, gearbox.upshift_speed);
-    gearbox.downshift_speed = table->number("downshift_rpm", not_negative, 0);
-    gearbox.downshift_speed_closed =
-        table->number_or_else("downshift_closed_rpm", not_negative, gearbox.downshift_speed);
-    check_shifts(*table, gearbox);
-    return gearbox;
-}
-
 // What shifts up at a speed has to come there.
 void check_limit(const TableReader& table, const PowerUnitDescription& unit) {
     const double max_speed = std::visit(
         [](const auto& source) {
-            if constexpr (requires { source.torque; }) {
+            if constexpr (requires { source.idle_speed; }) {
                 return source.torque.back().speed.back();
             } else {
                 return source.max_speed;
@@ -191,17 +33,52 @@ void check_limit(const TableReader& table, const PowerUnitDescription& unit) {
                     "a number below the speed at which the torque ends, " + number_text(max_speed / rpm));
 }
 
-// Of the differentials, the one that the unit drives.
-std::size_t read_output(const TableReader& unit, const VehicleDescription& vehicle) {
+// A differential, or a wheel that none drives.
+DrivenPart read_output(const TableReader& unit, const VehicleDescription& vehicle) {
     const std::string name = unit.text("output");
-    const auto& all = vehicle.differentials;
+    std::vector<std::string> wheels;
+    for_each_wheel(vehicle, [&](const auto& wheel, std::size_t on) { wheels.push_back(on == 0 ? wheel.name : ""); });
     std::vector<std::string_view> names;
-    for (const DifferentialDescription& differential : all) names.push_back(differential.name);
+    for (const DifferentialDescription& differential : vehicle.differentials) names.push_back(differential.name);
+    const std::size_t differentials = names.size();
+    names.insert(names.end(), wheels.begin(), wheels.end());
     const auto found = std::ranges::find(names, name);
     const std::string hint = did_you_mean(name, names);
-    unit.expect(found != names.end(), "output",
-                "the name of a [[differential]], which an axle needs to be driven" + (hint.empty() ? "" : "; " + hint));
-    return static_cast<std::size_t>(found - names.begin());
+    unit.expect(found != names.end() && !name.empty(), "output",
+                "the name of a [[differential]], which an axle needs to be driven, or of a wheel of the motor vehicle" +
+                    (hint.empty() ? "" : "; " + hint));
+    const auto place = static_cast<std::size_t>(found - names.begin());
+    if (place < differentials) return {.wheel = false, .number = place};
+    const DrivenPart out{.wheel = true, .number = place - differentials};
+    for (const DifferentialDescription& differential : vehicle.differentials) {
+        for (const DrivenPart& driven : differential.outputs) {
+            unit.expect(!driven.wheel || driven.number != out.number, "output",
+                        "a wheel that no differential drives, or the differential '" + differential.name + "'");
+        }
+    }
+    return out;
+}
+
+// A unit on the carrier of a wheel turns with it.
+void read_mount(const TableReader& table, PowerUnitDescription& unit, VehicleDescription& vehicle) {
+    unit.in_wheel = word<bool>(table, "mount", {{"chassis", false}, {"carrier", true}});
+    if (!unit.in_wheel || table.is_recording()) return;
+    table.expect(unit.output.wheel, "output", "the name of a wheel, on whose carrier the unit sits");
+    table.expect(std::holds_alternative<MotorDescription>(unit.source), "mount",
+                 "\"chassis\": an engine does not turn with a wheel");
+    for (const char* key : {"clutch", "converter", "shafts"}) {
+        table.expect(!table.has(key), key, "no such table: a unit on a carrier turns with its wheel");
+    }
+    table.expect(unit.gearbox.ratios.size() == 1, "gearbox", "one ratio: a unit on a carrier turns with its wheel");
+    std::size_t number = 0;
+    for (SuspensionDescription& suspension : vehicle.suspensions) {
+        for (SuspensionWheelDescription& wheel : suspension.wheels) {
+            if (number++ != unit.output.number) continue;
+            const double ratio = unit.gearbox.ratios[0];
+            wheel.drive_reaction = wheel.part;
+            wheel.wheel.spin_inertia += ratio * ratio * unit.inertia;
+        }
+    }
 }
 
 // What goes with the largest torque where the file does not tell it.
@@ -216,7 +93,7 @@ void read_by_torque(const TableReader& table, PowerUnitDescription& unit) {
     unit.stiffness = table.number_or_else("stiffness_N_m_per_rad", positive, default_unit_stiffness(torque));
 }
 
-PowerUnitDescription read_power_unit(const TableReader& table, const VehicleDescription& vehicle) {
+PowerUnitDescription read_power_unit(const TableReader& table, VehicleDescription& vehicle) {
     PowerUnitDescription unit;
     unit.name = table.text("name");
     unit.axis = table.direction("axis", unit.axis);
@@ -236,6 +113,8 @@ PowerUnitDescription read_power_unit(const TableReader& table, const VehicleDesc
     read_by_torque(table, unit);
     unit.coupling = read_coupling(table);
     unit.gearbox = read_gearbox(table.optional_table("gearbox"));
+    unit.shafts = read_shafts(table.optional_table("shafts"));
+    read_mount(table, unit, vehicle);
     check_limit(table, unit);
     const auto* clutch = std::get_if<ClutchDescription>(&unit.coupling);
     const bool stalls = std::holds_alternative<EngineDescription>(unit.source) && clutch && clutch->capacity == 0;
@@ -254,15 +133,40 @@ std::vector<std::string> names_of_others(const VehicleDescription& vehicle) {
 // `tables`: of the differentials in the vehicle's order.
 void check_inputs(const std::vector<TableReader>& tables, const VehicleDescription& vehicle) {
     std::vector<bool> driven(tables.size());
-    for (const PowerUnitDescription& unit : vehicle.power_units) driven[unit.output] = true;
+    for (const PowerUnitDescription& unit : vehicle.power_units) {
+        if (!unit.output.wheel) driven[unit.output.number] = true;
+    }
     for (const DifferentialDescription& differential : vehicle.differentials) {
-        for (const DifferentialDescription::Output& output : differential.outputs) {
+        for (const DrivenPart& output : differential.outputs) {
             if (!output.wheel) driven[output.number] = true;
         }
     }
     for (std::size_t i = 0; i < tables.size(); ++i) {
         tables[i].expect(driven[i], "name",
                          "a differential that a power unit has for its 'output', or another one among its 'outputs'");
+    }
+}
+
+// All wheels that a part drives.
+void add_wheels_of(const DrivenPart& part, const VehicleDescription& vehicle, std::vector<std::size_t>& to) {
+    if (part.wheel) return to.push_back(part.number);
+    for (const DrivenPart& output : vehicle.differentials[part.number].outputs) add_wheels_of(output, vehicle, to);
+}
+
+// Of two motors that brake one wheel in place of its brake neither would know of the other.
+void check_regeneration(const TableReader& file, const VehicleDescription& vehicle) {
+    std::vector<std::size_t> braked;
+    for (std::size_t i = 0; i < vehicle.power_units.size(); ++i) {
+        const auto* motor = std::get_if<MotorDescription>(&vehicle.power_units[i].source);
+        if (!motor || motor->brake_regeneration <= 0) continue;
+        std::vector<std::size_t> own;
+        add_wheels_of(vehicle.power_units[i].output, vehicle, own);
+        for (const std::size_t wheel : own) {
+            file.tables("power_unit")[i].table("motor").expect(std::ranges::find(braked, wheel) == braked.end(),
+                                                               "brake_regeneration",
+                                                               "0: another motor that drives the same wheel has it");
+        }
+        braked.insert(braked.end(), own.begin(), own.end());
     }
 }
 
@@ -279,10 +183,16 @@ void read_differentials_and_power_units(const TableReader& file, VehicleDescript
         file.expect(vehicle.power_units.size() <= std::size_t{max_power_units}, "power_unit",
                     std::to_string(max_power_units) + " power units at most");
     }
+    vehicle.battery = read_battery(file.optional_table("battery"), vehicle);
     if (file.is_recording()) return;
     check_inputs(differentials, vehicle);
+    check_regeneration(file, vehicle);
     std::vector<std::pair<double, Point>> rotors;
-    for (const PowerUnitDescription& unit : vehicle.power_units) rotors.emplace_back(unit.inertia, unit.axis);
+    for (const PowerUnitDescription& unit : vehicle.power_units) {
+        if (unit.in_wheel) continue;
+        rotors.emplace_back(unit.inertia, unit.axis);
+        if (unit.shafts.exists) rotors.emplace_back(unit.shafts.gearbox_inertia, unit.axis);
+    }
     if (!has_units) return;
     file.tables("power_unit")
         .back()
@@ -294,7 +204,7 @@ void read_differentials_and_power_units(const TableReader& file, VehicleDescript
 }  // namespace
 
 void read_powertrain(const TableReader& file, VehicleDescription& vehicle) {
-    for (const std::string_view key : {"differential", "power_unit"}) static_cast<void>(file.has(key));
+    for (const std::string_view key : {"differential", "power_unit", "battery"}) static_cast<void>(file.has(key));
     file.choose_flag("powertrain", true, file, [&](bool wanted) {
         if (wanted) read_differentials_and_power_units(file, vehicle);
     });

@@ -95,6 +95,7 @@ SignalDescription read_optional_signal(const TableReader& inputs, std::string_vi
 void read_inputs(const TableReader& inputs, ScenarioDescription& scenario) {
     scenario.drive = read_optional_signal(inputs, "drive", "torque_N_m", any_number);
     scenario.brake = read_optional_signal(inputs, "brake", "command", fraction);
+    scenario.parking_brake = read_optional_signal(inputs, "parking_brake", "lever", fraction);
     scenario.throttle = read_optional_signal(inputs, "throttle", "pedal", fraction);
     scenario.clutch = read_optional_signal(inputs, "clutch", "pedal", fraction);
     scenario.gear = read_optional_signal(inputs, "gear", "number", any_number);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "hamilcar/description/vehicle.hpp"
@@ -99,7 +100,18 @@ BrakeSystemDescription read_brake_system(const TableReader& file);
 void read_controllers(const TableReader& file, VehicleDescription& vehicle);
 SensorsDescription read_sensors(const std::optional<TableReader>& table);
 
-// Reads [[differential]] and [[power_unit]]; both may be left out, and `powertrain = false` leaves out those of a base.
+// What a power unit consists of.
+EngineDescription read_engine(const TableReader& table);
+MotorDescription read_motor(const TableReader& table);
+std::variant<ClutchDescription, ConverterDescription> read_coupling(const TableReader& unit);
+GearboxDescription read_gearbox(const std::optional<TableReader>& table);
+ShaftsDescription read_shafts(const std::optional<TableReader>& table);
+// 2 to max_curve_points.
+void expect_points(const TableReader& table, std::string_view key, std::size_t count);
+// `vehicle`: with its power units.
+BatteryDescription read_battery(const std::optional<TableReader>& table, const VehicleDescription& vehicle);
+
+// Reads [[differential]], [[power_unit]] and [battery]; they may be left out, and `powertrain = false` leaves out those of a base.
 void read_powertrain(const TableReader& file, VehicleDescription& vehicle);
 
 }  // namespace hamilcar::io

@@ -90,6 +90,7 @@ BrakeDescription read_brake(const std::optional<TableReader>& brake, const Wheel
         out.valve_command = valve->number("command", fraction);
         out.valve_slope = valve->number("slope", fraction);
     }
+    out.parking_torque = brake->number("parking_torque_N_m", not_negative, 0);
     read_brake_in_system(*brake, system, out);
     return out;
 }

@@ -18,7 +18,9 @@ ScenarioDescription live_scenario(ScenarioDescription scenario, double friction,
                                   const std::optional<CourseJudge>& judge) {
     scenario.road.friction = friction;
     scenario.steering_input = SteeringInput::none;
+    scenario.steering_mechanics = has_free_rack(scenario);
     scenario.steering = scenario.drive = scenario.brake = scenario.throttle = scenario.clutch = scenario.gear = {};
+    scenario.hands = scenario.steering_torque = scenario.parking_brake = {};
     scenario.driver = {};
     scenario.controllers_off.clear();
     if (!vehicle.power_units.empty()) scenario.gear = {.time = {0}, .value = {0}};
@@ -65,7 +67,7 @@ LiveSimulation::LiveSimulation(std::uint32_t number, const LoadRequest& request,
       simulation_(vehicle, live_scenario(std::move(scenario), request.friction, vehicle, judge_)),
       filter_(car(), Column(vehicle.steering), shaft_ratio(), step()),
       aids_(aids_of(vehicle)),
-      channels_(all_channels(vehicle)),
+      channels_(all_channels(simulation_.vehicle())),
       values_(channels_.size()),
       scene_(scene_json(vehicle, simulation_.scenario())),
       frames_(Frame{.values = std::vector<float>(channels_.size())}) {

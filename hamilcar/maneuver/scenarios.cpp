@@ -15,7 +15,7 @@ int gear_for(const VehicleDescription& vehicle, double speed) {
     const auto* engine = std::get_if<EngineDescription>(&unit.source);
     if (!engine) return 1;
     constexpr double lively = 2;  // times the idle speed
-    const double shaft = input_speeds(vehicle)[unit.output] * speed;
+    const double shaft = output_speeds(vehicle).front() * speed;
     int gear = static_cast<int>(unit.gearbox.ratios.size());
     while (gear > 1 && unit.gearbox.ratios[static_cast<std::size_t>(gear) - 1] * shaft < lively * engine->idle_speed) {
         --gear;

@@ -130,6 +130,10 @@ void add_car_channels(const VehicleDescription& vehicle, std::vector<Channel>& l
         [](const auto& s) { return s.input.drive_torque; }, true, ChannelRole::drive_torque);
     add(
         "input.brake", "1", "brake command", [](const auto& s) { return s.input.brake; }, true, ChannelRole::brake);
+    if (has_parking_brake(vehicle)) {
+        add("input.parking_brake", "1", "lever of the parking brake",
+            [](const auto& s) { return s.input.parking_brake; });
+    }
     add(
         "constraints.opening", "m", "largest opening of a cut joint", [](const Sample& s) { return s.violation; },
         true);

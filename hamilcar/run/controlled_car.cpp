@@ -28,12 +28,48 @@ double yaw_inertia(const VehicleDescription& vehicle) {
     return inertia;
 }
 
-// Wheels that a power unit drives.
-std::vector<bool> driven_wheels(const VehicleDescription& vehicle) {
-    std::vector<bool> out(wheel_count(vehicle));
-    for (const DifferentialDescription& one : vehicle.differentials) {
-        for (const auto& output : one.outputs) {
-            if (output.wheel) out[output.number] = true;
+// Adds all wheels that a part drives; returns the torque of all of them over that at the part, without locks.
+double add_driven_wheels(const VehicleDescription& vehicle, const DrivenPart& part, std::vector<std::size_t>& to) {
+    if (part.wheel) {
+        to.push_back(part.number);
+        return 1;
+    }
+    const DifferentialDescription& one = vehicle.differentials[part.number];
+    const double first = add_driven_wheels(vehicle, one.outputs[0], to),
+                 second = add_driven_wheels(vehicle, one.outputs[1], to);
+    return one.ratio * (one.share * first + (1 - one.share) * second);
+}
+
+std::vector<ControlledUnit> controlled_units(const VehicleDescription& vehicle) {
+    std::vector<ControlledUnit> out;
+    for (const PowerUnitDescription& unit : vehicle.power_units) {
+        ControlledUnit& own = out.emplace_back();
+        own.name = unit.name;
+        own.ratio = unit.gearbox.ratios[0] * add_driven_wheels(vehicle, unit.output, own.wheels);
+        if (const auto* motor = std::get_if<MotorDescription>(&unit.source)) own.motor_torque = motor->max_torque;
+    }
+    return out;
+}
+
+bool is_driven(const ControlledCar& car, std::size_t wheel) {
+    return std::ranges::any_of(car.units, [wheel](const ControlledUnit& unit) {
+        return std::ranges::find(unit.wheels, wheel) != unit.wheels.end();
+    });
+}
+
+// Axles with an actuator for their rack, by how their wheels turn with it.
+std::vector<ControlledSteer> controlled_steers(const VehicleDescription& vehicle,
+                                               const std::vector<WheelMotion>& motions) {
+    std::vector<ControlledSteer> out;
+    for (const AxleSteerDescription& one : vehicle.axle_steers) out.push_back({.axle = one.axle});
+    std::size_t wheel = 0;
+    for (const SuspensionDescription& suspension : vehicle.suspensions) {
+        for (const SuspensionWheelDescription& own : suspension.wheels) {
+            const WheelMotion& motion = motions[wheel++];
+            if (!suspension.steered_by) continue;
+            ControlledSteer& steer = out[*suspension.steered_by];
+            steer.angle += 0.5 * vehicle.axle_steers[*suspension.steered_by].travel * motion.own_steer[5];
+            steer.x = own.wheel.center[0] - vehicle.chassis.center_of_mass[0];
         }
     }
     return out;
@@ -63,17 +99,18 @@ ControlledCar controlled_car(const VehicleDescription& vehicle, const Model<doub
                       .full_pressure = vehicle.brakes.exists ? vehicle.brakes.full_pressure : 0,
                       .wheels = {},
                       .bars = {},
-                      .units = {}};
+                      .units = {},
+                      .steers = {}};
     for (const AntiRollBarDescription& bar : vehicle.anti_roll_bars) {
         out.bars.push_back({bar.left, bar.right, bar.max_force});
     }
-    for (const PowerUnitDescription& unit : vehicle.power_units) out.units.push_back(unit.name);
+    out.units = controlled_units(vehicle);
     State<double> start = state;
     const auto velocity = velocity_block(model, start, input);
     const auto momenta = momenta_block(model, start, input, velocity);
     const std::vector<RoadWheel> on_road = road_wheels(model, momenta, start);
     const std::vector<WheelMotion> motions = wheel_motions(vehicle, model, start, input.rack.displacement);
-    const std::vector<bool> is_driven = driven_wheels(vehicle);
+    out.steers = controlled_steers(vehicle, motions);
     const CommandLayout layout(vehicle);
     for_each_wheel(vehicle, [&](const SuspensionWheelDescription& wheel, std::size_t unit) {
         const std::size_t i = out.wheels.size();
@@ -89,7 +126,7 @@ ControlledCar controlled_car(const VehicleDescription& vehicle, const Model<doub
                               .radius = rolling_radius(*on_road[i].tires[0].tire),
                               .spin_inertia = wheel.wheel.spin_inertia,
                               .steered = unit == 0 && std::abs(motions[i].steer[5]) > some_steer,
-                              .driven = is_driven[i],
+                              .driven = is_driven(out, i),
                               .brake_torque = wheel.brake.max_torque,
                               .damper_soft = damper.soft,
                               .damper_firm = damper.firm,

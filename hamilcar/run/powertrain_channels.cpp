@@ -60,6 +60,53 @@ void add_unit_channels(const std::string& name, std::size_t i, std::vector<Chann
         ".losses", "kW", "in clutch, converter and gearbox", [](const auto& u) { return 1e-3 * u.loss; }, false);
 }
 
+void add_motor_channels(const VehicleDescription& vehicle, std::size_t i, std::vector<Channel>& list) {
+    const std::string& name = vehicle.power_units[i].name;
+    const auto add = [&](const char* what, const char* unit, const char* meaning, auto read) {
+        list.push_back({{name + what, unit, meaning},
+                        [i, read](const auto& s) {
+                            using T = NumberOf<decltype(s)>;
+                            return s.model.vehicle.powertrain.exists() ? T(read(s.momenta.powertrain.units[i])) : T(0);
+                        },
+                        false});
+    };
+    if (!std::holds_alternative<MotorDescription>(vehicle.power_units[i].source)) return;
+    add(".electric_power", "kW", "that it takes, negative where it gives back",
+        [](const auto& u) { return 1e-3 * u.electric_power; });
+    add(".regenerated_torque", "N m", "behind the gearbox, that it brakes in place of the wheels' brakes",
+        [](const auto& u) { return u.regenerated; });
+}
+
+void add_battery_channels(const VehicleDescription& vehicle, std::vector<Channel>& list) {
+    if (!vehicle.battery.exists) return;
+    const auto add = [&](const char* name, const char* unit, const char* meaning, auto read, bool standard) {
+        list.push_back({{name, unit, meaning},
+                        [read](const auto& s) {
+                            using T = NumberOf<decltype(s)>;
+                            return s.model.vehicle.powertrain.battery.exists() ? T(read(s)) : T(0);
+                        },
+                        standard});
+    };
+    add(
+        "battery.charge", "%", "of its capacity",
+        [](const auto& s) {
+            return s.model.vehicle.powertrain.battery.state(s.state.values.data()).charge / units::percent;
+        },
+        true);
+    add(
+        "battery.voltage", "V", "at its terminals",
+        [](const auto& s) { return s.model.vehicle.powertrain.battery.state(s.state.values.data()).voltage; }, false);
+    add(
+        "battery.current", "A", "positive where it discharges",
+        [](const auto& s) { return s.momenta.powertrain.battery.current; }, false);
+    add(
+        "battery.power", "kW", "at its terminals, positive where it discharges",
+        [](const auto& s) { return 1e-3 * s.momenta.powertrain.battery.power; }, true);
+    add(
+        "battery.heat", "kW", "in its resistance",
+        [](const auto& s) { return 1e-3 * s.momenta.powertrain.battery.heat; }, false);
+}
+
 }  // namespace
 
 void add_powertrain_channels(const VehicleDescription& vehicle, std::vector<Channel>& list) {
@@ -75,7 +122,19 @@ void add_powertrain_channels(const VehicleDescription& vehicle, std::vector<Chan
         "input.gear", "1", "-1 reverse, 0 neutral, 1 first", [](const auto& s) { return s.input.gear; }, true);
     for (std::size_t i = 0; i < vehicle.power_units.size(); ++i) {
         add_unit_channels(vehicle.power_units[i].name, i, list);
+        add_motor_channels(vehicle, i, list);
+        if (!vehicle.power_units[i].shafts.exists) continue;
+        const std::string& unit = vehicle.power_units[i].name;
+        list.push_back(
+            {{unit + ".shafts_twist", "deg", "of the shafts behind the gearbox, play included, at its input"},
+             [i](const Sample& s) {
+                 const Powertrain<double>& powertrain = s.model.vehicle.powertrain;
+                 if (!powertrain.exists()) return 0.0;
+                 return powertrain.units[i].state(s.state.values.data()).shafts[1] / units::degree;
+             },
+             false});
     }
+    add_battery_channels(vehicle, list);
     for (std::size_t i = 0; i < vehicle.differentials.size(); ++i) {
         const std::string name = vehicle.differentials[i].name + ".differential";
         const auto add_lock = [&](const char* what, const char* unit, const char* meaning, auto read) {
@@ -88,6 +147,10 @@ void add_powertrain_channels(const VehicleDescription& vehicle, std::vector<Chan
         };
         add_lock(".lock_torque", "N m", "from the first output to the second", [](const auto& d) { return d.lock; });
         add_lock(".losses", "kW", "of the lock", [](const auto& d) { return 1e-3 * d.loss; });
+        list.push_back({{name + ".input_torque", "N m", "of what drives it"}, [i](const auto& s) {
+                            using T = NumberOf<decltype(s)>;
+                            return s.model.vehicle.powertrain.exists() ? T(s.momenta.powertrain.inputs[i]) : T(0);
+                        }});
     }
     add(
         "energy.supplied", "J", "by the power units",

@@ -124,6 +124,13 @@ void check_driver(const ScenarioDescription& scenario, const VehicleDescription&
     if (!shifting && !gears.empty() && std::ranges::none_of(gears, above_zero)) refuse("inputs.gear", gears.front());
 }
 
+void check_parking_brake(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
+    if (scenario.parking_brake.time.empty() || has_parking_brake(vehicle)) return;
+    reject_key(
+        scenario, "inputs.parking_brake",
+        fmt::format(": {} has no parking brake; expected a parking_torque_N_m in a [axle.brake] there", vehicle.name));
+}
+
 // A rack can only move on its own where the vehicle says how, and where nothing stabilizes loops at the cost of its motion.
 void check_mechanics(const ScenarioDescription& scenario, const VehicleDescription& vehicle) {
     if (!has_free_rack(scenario)) return;
@@ -158,6 +165,7 @@ void check_scenario(const ScenarioDescription& scenario, const VehicleDescriptio
     check_posts(scenario, vehicle);
     check_rack(scenario, vehicle.steering);
     check_mechanics(scenario, vehicle);
+    check_parking_brake(scenario, vehicle);
 }
 
 VehicleDescription as_driven(VehicleDescription vehicle, const ScenarioDescription& scenario) {

@@ -5,6 +5,11 @@
 namespace hamilcar {
 
 void add_steering_channels(const VehicleDescription& vehicle, std::vector<Channel>& list) {
+    for (std::size_t i = 0; i < vehicle.axle_steers.size(); ++i) {
+        list.push_back({{vehicle.axle_steers[i].axle + ".rack", "m", "displacement of the axle's own rack"},
+                        [i](const auto& s) { return s.velocity.axle_racks[i].displacement; },
+                        true});
+    }
     if (!vehicle.steering.moves_on_its_own()) return;
     const auto add = [&](const char* name, const char* unit, const char* meaning, auto read, bool standard = false) {
         list.push_back({{name, unit, meaning}, read, standard});

@@ -61,11 +61,32 @@ template <class T>
 void Vehicle<T>::add_powertrain(const VehicleDescription& d, const StateLayout& layout) {
     powertrain = make_powertrain<T>(d);
     const StateLayout::PowertrainPlaces& places = layout.powertrain();
-    powertrain.unit_place = places.units, powertrain.differential_place = places.differentials;
-    powertrain.supplied_place = places.supplied;
-    for (const PowerUnit<T>& unit : powertrain.units) {
+    powertrain.differential_place = places.differentials, powertrain.supplied_place = places.supplied;
+    powertrain.battery.place = places.battery;
+    for (std::size_t i = 0; i < powertrain.units.size(); ++i) {
+        PowerUnit<T>& unit = powertrain.units[i];
+        unit.place = places.units[i];
+        if (!unit.rotor_is_free) continue;
         subtract_rotor(unit.axis, unit.inertia, chassis_inertia.inertia);
+        if (unit.shafts.exist()) subtract_rotor(unit.axis, unit.shafts.inertia, chassis_inertia.inertia);
     }
+    for (Differential<T>& one : powertrain.differentials) attach_to_axle(one);
+}
+
+// A differential whose wheels are those of a live axle sits on that axle.
+template <class T>
+void Vehicle<T>::attach_to_axle(Differential<T>& one) {
+    if (one.outputs[0] < 0 || one.outputs[1] < 0) return;
+    const auto place = [&](int output) {
+        return locate_wheel(*this, powertrain.wheels[static_cast<std::size_t>(output)]);
+    };
+    const auto [s, first] = place(one.outputs[0]);
+    const auto [other, second] = place(one.outputs[1]);
+    Suspension<T>& suspension = suspensions[s];
+    const int frame = suspension.wheels[first].reaction;
+    if (s != other || frame == 0 || suspension.wheels[second].reaction != frame) return;
+    one.on_axle = static_cast<int>(s);
+    suspension.shaft_frame = frame, suspension.shaft_axis = one.shaft_axis;
 }
 
 template <class T>
@@ -99,12 +120,22 @@ void Vehicle<T>::add_actuators(const VehicleDescription& d, const StateLayout& l
         }
     }
     for (std::size_t i = 0; i < anti_roll_bars.size(); ++i) anti_roll_bars[i].actuator = told.actuator(told.bar(i));
+    for (std::size_t i = 0; i < d.axle_steers.size(); ++i) {
+        const AxleSteerDescription& one = d.axle_steers[i];
+        axle_steers.push_back({told.axle_steer(i), layout.axle_steer(i), T(one.travel),
+                               T(one.frequency * one.frequency), T(2 * one.damping_ratio * one.frequency)});
+    }
+    for (std::size_t s = 0; s < suspensions.size(); ++s) {
+        const auto& by = d.suspensions[s].steered_by;
+        suspensions[s].steered_by = by ? static_cast<int>(*by) : -1;
+    }
 }
 
 // Compiled once, in vehicle.cpp.
 extern template Vehicle<double>::Vehicle(const VehicleDescription&);
 extern template void Vehicle<double>::add_suspensions(const VehicleDescription&, const StateLayout&);
 extern template void Vehicle<double>::add_powertrain(const VehicleDescription&, const StateLayout&);
+extern template void Vehicle<double>::attach_to_axle(Differential<double>&);
 extern template void Vehicle<double>::add_brakes(const VehicleDescription&, const StateLayout&);
 extern template void Vehicle<double>::add_steering(const VehicleDescription&, const StateLayout&);
 extern template void Vehicle<double>::add_actuators(const VehicleDescription&, const StateLayout&);

@@ -25,7 +25,7 @@ inline ReflectedLoad reflected_load(const VehicleDescription& d, const std::vect
                                     const DifferentialDescription& differential);
 
 inline ReflectedLoad reflected_load(const VehicleDescription& d, const std::vector<double>& wheel_inertia,
-                                    const DifferentialDescription::Output& output) {
+                                    const DrivenPart& output) {
     if (output.wheel) return {wheel_inertia[output.number], 0};
     return reflected_load(d, wheel_inertia, d.differentials[output.number]);
 }
@@ -35,7 +35,7 @@ inline ReflectedLoad reflected_load(const VehicleDescription& d, const std::vect
                                     const DifferentialDescription& differential) {
     ReflectedLoad sum{0, 0};
     double stiffness = 0;
-    for (const auto& output : differential.outputs) {
+    for (const DrivenPart& output : differential.outputs) {
         const ReflectedLoad one = reflected_load(d, wheel_inertia, output);
         sum.inertia += one.inertia;
         stiffness += 1 / (1 / differential.shaft_stiffness + one.compliance);
@@ -46,6 +46,13 @@ inline ReflectedLoad reflected_load(const VehicleDescription& d, const std::vect
 
 inline double reduced(double a, double b) {
     return a * b / (a + b);
+}
+
+// Of a driven wheel, which it adds to the list, or -1 - that of a differential.
+inline int output_index(const DrivenPart& output, std::vector<int>& driven) {
+    if (!output.wheel) return -1 - static_cast<int>(output.number);
+    driven.push_back(static_cast<int>(output.number));
+    return static_cast<int>(driven.size()) - 1;
 }
 
 template <class T>
@@ -65,27 +72,29 @@ Differential<T> make_differential(const VehicleDescription& d, const std::vector
                         .stiffness = T(1 / compliance),
                         .damping = T(damping),
                         .compliance = T(compliance)};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const auto& output = one.outputs[i];
-        if (!output.wheel) {
-            out.outputs[i] = -1 - static_cast<int>(output.number);
-            continue;
-        }
-        out.outputs[i] = static_cast<int>(driven.size());
-        driven.push_back(static_cast<int>(output.number));
-    }
+    for (std::size_t i = 0; i < 2; ++i) out.outputs[i] = output_index(one.outputs[i], driven);
+    out.shaft_axis = as<T>(vec3(one.shaft_axis).normalized());
     return out;
 }
 
+// From reverse on: reverse, neutral, first.
+inline std::vector<double> signed_ratios(const GearboxDescription& gearbox) {
+    std::vector<double> ratios{-gearbox.reverse_ratio, 0};
+    ratios.insert(ratios.end(), gearbox.ratios.begin(), gearbox.ratios.end());
+    return ratios;
+}
+
+// The spring at the clutch: all torsion up to the wheels, or with shafts of their own up to the gearbox alone.
 template <class T>
 Gears<T> make_gears(const PowerUnitDescription& unit, const ReflectedLoad& behind) {
     Gears<T> gears;
-    std::vector<double> ratios{-unit.gearbox.reverse_ratio, 0};
-    ratios.insert(ratios.end(), unit.gearbox.ratios.begin(), unit.gearbox.ratios.end());
-    for (const double ratio : ratios) {
+    const ShaftsDescription& shafts = unit.shafts;
+    for (const double ratio : signed_ratios(unit.gearbox)) {
         const double squared = ratio * ratio;
-        const double stiffness = 1 / (1 / unit.stiffness + squared * behind.compliance);
-        const double inertia = squared > 0 ? reduced(unit.inertia, behind.inertia / squared) : unit.inertia;
+        const double stiffness =
+            shafts.exists ? unit.stiffness : 1 / (1 / unit.stiffness + squared * behind.compliance);
+        const double load = shafts.exists ? shafts.gearbox_inertia : squared > 0 ? behind.inertia / squared : 0;
+        const double inertia = load > 0 ? reduced(unit.inertia, load) : unit.inertia;
         gears.ratio.push_back(T(ratio));
         gears.stiffness.push_back(T(stiffness));
         gears.damping.push_back(T(2 * unit.damping_ratio * std::sqrt(stiffness * inertia)));
@@ -96,14 +105,32 @@ Gears<T> make_gears(const PowerUnitDescription& unit, const ReflectedLoad& behin
 }
 
 template <class T>
+Shafts<T> make_shafts(const PowerUnitDescription& unit, const ReflectedLoad& behind) {
+    Shafts<T> out;
+    const ShaftsDescription& d = unit.shafts;
+    if (!d.exists) return out;
+    out.present = 1, out.inertia = T(d.gearbox_inertia), out.inverse_inertia = T(1 / d.gearbox_inertia);
+    const double compliance = 1 / d.stiffness + behind.compliance;
+    for (const double ratio : signed_ratios(unit.gearbox)) {
+        const double squared = std::max(ratio * ratio, 1e-6);
+        const double stiffness = 1 / (squared * compliance);
+        const double inertia = reduced(d.gearbox_inertia, behind.inertia / squared);
+        out.stiffness.push_back(T(ratio != 0 ? stiffness : 0));
+        out.damping.push_back(T(ratio != 0 ? 2 * d.damping_ratio * std::sqrt(stiffness * inertia) : 0));
+        out.half_play.push_back(T(std::abs(ratio) * d.backlash / 2));
+    }
+    return out;
+}
+
+template <class T>
 Converter<T> make_converter(const ConverterDescription& d) {
     return {Curve<T>(d.speed_ratio, d.torque_ratio), Curve<T>(d.speed_ratio, d.capacity), T(1), T(0)};
 }
 
 template <class T>
 PowerUnit<T> make_unit(const VehicleDescription& d, const std::vector<double>& wheel_inertia,
-                       const PowerUnitDescription& unit) {
-    const ReflectedLoad behind = reflected_load(d, wheel_inertia, d.differentials[unit.output]);
+                       const PowerUnitDescription& unit, std::vector<int>& driven) {
+    const ReflectedLoad behind = reflected_load(d, wheel_inertia, unit.output);
     PowerUnit<T> out{.source = std::visit([](const auto& source) { return make_source<T>(source); }, unit.source),
                      .inertia = T(unit.inertia),
                      .inverse_inertia = T(1 / unit.inertia),
@@ -112,9 +139,12 @@ PowerUnit<T> make_unit(const VehicleDescription& d, const std::vector<double>& w
                      .capacity = T(0),
                      .converter = make_converter<T>({{0, 1}, {1, 1}, {0, 0}}),
                      .gears = make_gears<T>(unit, behind),
+                     .shafts = make_shafts<T>(unit, behind),
                      .loss_share = T(1 - unit.gearbox.efficiency),
-                     .output = static_cast<int>(unit.output),
-                     .command = -1};
+                     .output = output_index(unit.output, driven),
+                     .rotor_is_free = unit.in_wheel ? 0 : 1,
+                     .command = -1,
+                     .place = 0};
     out.converter.present = T(0);
     if (const auto* clutch = std::get_if<ClutchDescription>(&unit.coupling)) {
         out.capacity = T(clutch->capacity > 0 ? clutch->capacity : unlimited_torque);
@@ -130,9 +160,20 @@ PowerUnit<T> make_unit(const VehicleDescription& d, const std::vector<double>& w
     return out;
 }
 
+template <class T>
+Battery<T> make_battery(const BatteryDescription& d) {
+    Battery<T> out;
+    if (!d.exists) return out;
+    out.present = 1;
+    out.inverse_capacity = T(1 / d.capacity), out.resistance = T(d.resistance);
+    out.open_voltage = Curve<T>(d.charge, d.voltage);
+    out.max_discharge = T(d.max_discharge), out.max_charge = T(d.max_charge);
+    out.auxiliary_power = T(d.auxiliary_power), out.initial_charge = T(d.initial_charge);
+    return out;
+}
+
 }  // namespace detail
 
-// `wheel_inertia`: about the spin axis, of all wheels [kg m^2].
 template <class T>
 Powertrain<T> make_powertrain(const VehicleDescription& d) {
     std::vector<double> wheel_inertia;
@@ -143,8 +184,14 @@ Powertrain<T> make_powertrain(const VehicleDescription& d) {
         out.differentials.push_back(detail::make_differential<T>(d, wheel_inertia, differential, out.wheels));
     }
     for (const PowerUnitDescription& unit : d.power_units) {
-        out.units.push_back(detail::make_unit<T>(d, wheel_inertia, unit));
+        out.units.push_back(detail::make_unit<T>(d, wheel_inertia, unit, out.wheels));
+        const auto* motor = std::get_if<MotorDescription>(&unit.source);
+        if (motor && motor->brake_regeneration > 0) out.regenerates = 1;
+        if (motor && !motor->torque.level.empty()) {
+            out.supply_voltage = max(out.supply_voltage, T(motor->torque.level.back()));
+        }
     }
+    out.battery = detail::make_battery<T>(d.battery);
     return out;
 }
 

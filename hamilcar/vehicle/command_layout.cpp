@@ -20,8 +20,18 @@ CommandLayout::CommandLayout(const VehicleDescription& vehicle) {
         if (!controlled) continue;
         commands_.push_back({unit.name + ".max_throttle", "1", "the most that the throttle opens", 1, 0, 1});
         commands_.push_back({unit.name + ".min_throttle", "1", "the least that it opens", 0, 0, 1});
+        if (!std::holds_alternative<MotorDescription>(unit.source)) continue;
+        commands_.push_back(
+            {unit.name + ".added_torque", "1", "besides what the pedal asks for, of the largest torque", 0, -1, 1});
+        commands_.push_back(
+            {unit.name + ".max_regeneration", "1", "of what the brake pedal may ask of the motor", 1, 0, 1});
     }
     add_dampers(vehicle), add_bars(vehicle);
+    for (const AxleSteerDescription& one : vehicle.axle_steers) {
+        axle_steers_.push_back(controlled ? size() : -1);
+        if (!controlled) continue;
+        commands_.push_back({one.axle + ".steer", "1", "share of the travel of the axle's own rack", 0, -1, 1});
+    }
 }
 
 void CommandLayout::add_dampers(const VehicleDescription& vehicle) {

@@ -3,9 +3,11 @@
 // are at rest, and cost nothing.
 //
 //   wheel   of each with a modulated brake: inlet, outlet, pump
-//   unit    of each power unit: the most and the least that its throttle may be
+//   unit    of each power unit: the most and the least that its throttle may be; of a motor besides: torque that is added, and the most
+//           of its regeneration
 //   damper  of each that is adjustable: its setting
 //   bar     of each active anti-roll bar: the share of its force
+//   steer   of each axle with an actuator for its rack: the share of its travel
 #pragma once
 
 #include <string>
@@ -40,6 +42,8 @@ public:
     int damper(std::size_t wheel) const { return wheel_dampers_[wheel]; }
     int damper(std::size_t suspension, std::size_t number) const { return dampers_[suspension][number]; }
     int bar(std::size_t number) const { return bars_[number]; }
+    // Of an axle's own rack; -1: it takes none.
+    int axle_steer(std::size_t number) const { return axle_steers_[number]; }
     // Those that follow their commands with a lag, in the order of their numbers in a state.
     struct Actuator {
         int command;
@@ -56,7 +60,7 @@ private:
     void add_dampers(const VehicleDescription& vehicle);
     void add_bars(const VehicleDescription& vehicle);
 
-    std::vector<int> brakes_, units_, wheel_dampers_, bars_;
+    std::vector<int> brakes_, units_, wheel_dampers_, bars_, axle_steers_;
     std::vector<std::vector<int>> dampers_;  // of the suspensions
     std::vector<Actuator> actuators_;
 };

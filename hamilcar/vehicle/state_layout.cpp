@@ -29,7 +29,12 @@ constexpr std::array kinds{
     StateKindInfo{StateKind::clutch_windup, "z", "rad", "Momenta", "elastic wind-up between rotor and gearbox"},
     StateKindInfo{StateKind::throttle, "-", "1", "Momenta", "throttle as it acts, after the delay of the torque"},
     StateKindInfo{StateKind::converter_torque, "-", "N m", "Momenta", "torque of the oil of a torque converter"},
+    StateKindInfo{StateKind::gearbox_momentum, "p_g", "kg m^2/s", "Momenta",
+                  "momentum of a gearbox's input that has an inertia"},
+    StateKindInfo{StateKind::shafts_windup, "z", "rad", "Momenta", "wind-up of the shafts behind it, play included"},
     StateKindInfo{StateKind::differential_windup, "z", "rad", "Momenta", "elastic wind-up of a differential's shafts"},
+    StateKindInfo{StateKind::battery_charge, "-", "1", "Momenta", "charge of the battery, 1 full"},
+    StateKindInfo{StateKind::battery_voltage, "-", "V", "Momenta", "voltage at its terminals"},
     StateKindInfo{StateKind::energy_supplied, "-", "J", "Momenta", "energy from engines and motors, since the start"},
     StateKindInfo{StateKind::control_pressure, "-", "Pa", "Momenta", "pressure that the brake pedal makes, of a unit"},
     StateKindInfo{StateKind::brake_pressure, "-", "Pa", "Momenta", "pressure at a wheel's brake"},
@@ -42,13 +47,15 @@ constexpr std::array kinds{
                   "elastic wind-up of the dry friction of rack and steering wheel"},
     StateKindInfo{StateKind::assist_force, "-", "N", "Momenta", "force of the power assist on the rack"},
     StateKindInfo{StateKind::actuator, "-", "1", "Momenta", "what an actuator of a damper or a bar has come to"},
+    StateKindInfo{StateKind::axle_steer, "-", "1", "Velocity", "displacement of an axle's own rack over its travel"},
+    StateKindInfo{StateKind::axle_steer_rate, "-", "1/s", "Momenta", "its rate"},
 };
 
 constexpr bool in_order() {
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         if (kinds[i].kind != static_cast<StateKind>(i)) return false;
     }
-    return kinds.size() == static_cast<std::size_t>(StateKind::actuator) + 1;
+    return kinds.size() == static_cast<std::size_t>(StateKind::axle_steer_rate) + 1;
 }
 static_assert(in_order());
 
@@ -62,6 +69,7 @@ bool is_momentum(StateKind kind) {
         case StateKind::spin_momentum:
         case StateKind::hitch_momentum:
         case StateKind::rotor_momentum:
+        case StateKind::gearbox_momentum:
         case StateKind::rack_momentum:
         case StateKind::steering_wheel_momentum: return true;
         default: return false;
@@ -127,17 +135,24 @@ void StateLayout::add_trailer(const TrailerDescription& trailer) {
 }
 
 void StateLayout::add_powertrain(const VehicleDescription& description) {
-    powertrain_.units = size();
     for (const PowerUnitDescription& unit : description.power_units) {
+        powertrain_.units.push_back(size());
         add(StateKind::rotor_momentum, unit.name + ".momentum");
         add(StateKind::clutch_windup, unit.name + ".windup");
         add(StateKind::throttle, unit.name + ".throttle");
         add(StateKind::converter_torque, unit.name + ".converter_torque");
+        if (!unit.shafts.exists) continue;
+        add(StateKind::gearbox_momentum, unit.name + ".gearbox_momentum");
+        add(StateKind::shafts_windup, unit.name + ".shafts_windup");
     }
     powertrain_.differentials = size();
     if (description.power_units.empty()) return;
     for (const DifferentialDescription& one : description.differentials) {
         add(StateKind::differential_windup, one.name + ".windup");
+    }
+    powertrain_.battery = size();
+    if (description.battery.exists) {
+        add(StateKind::battery_charge, "battery.charge"), add(StateKind::battery_voltage, "battery.voltage");
     }
     powertrain_.supplied = size();
     add(StateKind::energy_supplied, "energy_supplied");
@@ -148,6 +163,10 @@ void StateLayout::add_actuators(const VehicleDescription& description) {
     const CommandLayout commands(description);
     for (const CommandLayout::Actuator& one : commands.actuators()) {
         add(StateKind::actuator, commands.commands()[static_cast<std::size_t>(one.command)].name);
+    }
+    axle_steers_ = size();
+    for (const AxleSteerDescription& one : description.axle_steers) {
+        add(StateKind::axle_steer, one.axle + ".steer"), add(StateKind::axle_steer_rate, one.axle + ".steer_rate");
     }
 }
 

@@ -4,12 +4,14 @@
 //   chassis     position r, orientation, momentum, work
 //   suspension  independent V, dependent W, momenta P_V, then wheel by wheel: spin momentum, brake wind-up, u and v of each tire
 //   trailer     hitch angles, their momenta
-//   powertrain  of each power unit the rotor's momentum, wind-up, throttle and the converter's torque; the wind-up of each
-//               differential; the energy supplied
+//   powertrain  of each power unit the rotor's momentum, wind-up, throttle and the converter's torque, and where its gearbox has an
+//               inertia the momentum of that and the wind-up of the shafts; the wind-up of each differential; of a battery
+//               charge and voltage; the energy supplied
 //   brakes      where there is a brake system: the control pressure of each unit; pressure and temperature of each brake
 //   steering    where the rack moves on its own: rack and its momentum, steering wheel and its momentum, wind-up of the dry friction of
 //               both, force of the assist
 //   actuators   of adjustable dampers and active bars, where controllers command them: what each has come to
+//   axle steer  of each axle that an actuator steers: where its rack stands, as a share of its travel, and how fast that changes
 #pragma once
 
 #include <span>
@@ -38,7 +40,11 @@ enum class StateKind {
     clutch_windup,
     throttle,
     converter_torque,
+    gearbox_momentum,
+    shafts_windup,
     differential_windup,
+    battery_charge,
+    battery_voltage,
     energy_supplied,
     control_pressure,
     brake_pressure,
@@ -50,6 +56,8 @@ enum class StateKind {
     steering_windup,
     assist_force,
     actuator,
+    axle_steer,
+    axle_steer_rate,
 };
 
 // What holds for all numbers of a kind.
@@ -79,9 +87,10 @@ public:
         int offset, size;
         std::vector<int> wheels;
     };
-    // Where a powertrain's numbers begin; those of its differentials, and the last.
+    // Where the numbers of each power unit begin; those of the differentials, those of the battery, and the last.
     struct PowertrainPlaces {
-        int units, differentials, supplied;
+        std::vector<int> units;
+        int differentials, battery, supplied;
     };
 
     int size() const { return static_cast<int>(numbers_.size()); }
@@ -91,7 +100,8 @@ public:
     const PowertrainPlaces& powertrain() const { return powertrain_; }
     int steering() const { return steering_; }    // of the rack's displacement
     int actuators() const { return actuators_; }  // of the first one
-    int brakes() const { return brakes_; }        // of the first control pressure
+    int axle_steer(std::size_t i) const { return axle_steers_ + 2 * static_cast<int>(i); }
+    int brakes() const { return brakes_; }  // of the first control pressure
 
 private:
     void add(StateKind kind, const std::string& name) { numbers_.push_back({kind, name}); }
@@ -108,7 +118,7 @@ private:
     std::vector<SuspensionPlaces> suspensions_;
     std::vector<int> trailers_;
     PowertrainPlaces powertrain_{};
-    int brakes_ = 0, steering_ = 0, actuators_ = 0;
+    int brakes_ = 0, steering_ = 0, actuators_ = 0, axle_steers_ = 0;
 };
 
 }  // namespace hamilcar

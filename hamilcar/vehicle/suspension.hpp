@@ -91,13 +91,20 @@ struct Suspension {
     std::vector<SuspensionWheel<Paired<T>>> both_wheels;
     std::vector<SuspensionSpring<T>> springs;
     std::vector<SuspensionDamper<T>> dampers;
-    T inverse_design_determinant;  // 1 / det Phi_w at design
+    T inverse_design_determinant;          // 1 / det Phi_w at design
+    int steered_by = -1;                   // index of the actuator that moves its rack; -1: the steering wheel does
+    int shaft_frame = 0;                   // that carries a differential driven from the chassis; 0: none does
+    Vec3<T> shaft_axis = Vec3<T>::Zero();  // about which that shaft turns, chassis axes
     static constexpr auto members() {
         using S = Suspension;
         return std::tuple(&S::unit, &S::offset, &S::size, &S::first_wheel, &S::linkage, &S::bodies, &S::wheels,
-                          &S::springs, &S::dampers, &S::inverse_design_determinant);
+                          &S::springs, &S::dampers, &S::inverse_design_determinant, &S::steered_by, &S::shaft_frame,
+                          &S::shaft_axis);
     }
     static constexpr auto derived_members() { return std::tuple(&Suspension::both_wheels); }
+
+    // Whether it moves with the rack of the steering wheel.
+    bool follows_rack() const { return unit == 0 && steered_by < 0; }
 
     template <class Number>
     SuspensionState<Number> state(Number* values) const {

@@ -39,6 +39,32 @@ struct Actuator {
     static constexpr auto members() { return std::tuple(&Actuator::command, &Actuator::rate, &Actuator::rest); }
 };
 
+// Moves the rack of an axle that the steering wheel does not move: follows a command with the lag of a damped oscillator, so that the
+// rack's rate is continuous whatever the command does.
+//
+//     s = travel x,   x'' = stiffness (command - x) - damping x'
+template <class T>
+struct AxleSteer {
+    int command;           // -1: it takes none, and rests
+    int place;             // in a state: x, x'
+    T travel;              // [m]
+    T stiffness, damping;  // [1/s^2], [1/s]
+    static constexpr auto members() {
+        using A = AxleSteer;
+        return std::tuple(&A::command, &A::place, &A::travel, &A::stiffness, &A::damping);
+    }
+
+    RackMotion<T> motion(const T* values, const T* commands) const {
+        const T &x = values[place], &rate = values[place + 1];
+        const T target = commands && command >= 0 ? commands[command] : T(0);
+        return {travel * x, travel * rate, travel * (stiffness * (target - x) - damping * rate)};
+    }
+    // As a prescribed rack moves: its rate and acceleration.
+    void write_rates(const RackMotion<T>& motion, T* rates) const {
+        rates[place] = motion.rate / travel, rates[place + 1] = motion.acceleration / travel;
+    }
+};
+
 template <class T>
 struct Vehicle {
     RigidBody<T> chassis;
@@ -52,6 +78,7 @@ struct Vehicle {
     BrakeSystem<T> brakes;
     SteeringSystem<T> steering;  // exists where the rack moves on its own
     std::vector<Actuator<T>> actuators;
+    std::vector<AxleSteer<T>> axle_steers;
     int actuator_place = 0;  // of the first one's number in a state
     T gravity;               // [m/s^2]
     T total_mass;            // of everything [kg]
@@ -62,8 +89,8 @@ struct Vehicle {
         using V = Vehicle;
         return std::tuple(&V::chassis, &V::chassis_inertia, &V::suspensions, &V::anti_roll_bars, &V::trailers,
                           &V::aerodynamics, &V::hull, &V::powertrain, &V::brakes, &V::steering, &V::actuators,
-                          &V::actuator_place, &V::gravity, &V::total_mass, &V::state_size, &V::commands,
-                          &V::is_measured);
+                          &V::axle_steers, &V::actuator_place, &V::gravity, &V::total_mass, &V::state_size,
+                          &V::commands, &V::is_measured);
     }
     std::vector<SuspensionPair<Paired<T>>> pairs;  // of neighboring suspensions, where T has pairs
     static constexpr auto derived_members() { return std::tuple(&Vehicle::pairs); }
@@ -73,6 +100,7 @@ struct Vehicle {
 
     void add_suspensions(const VehicleDescription& description, const StateLayout& layout);
     void add_powertrain(const VehicleDescription& description, const StateLayout& layout);
+    void attach_to_axle(Differential<T>& differential);
     void add_brakes(const VehicleDescription& description, const StateLayout& layout);
     void add_steering(const VehicleDescription& description, const StateLayout& layout);
     void add_actuators(const VehicleDescription& description, const StateLayout& layout);
@@ -93,6 +121,15 @@ struct Vehicle {
         }
     }
 };
+
+// The rack that moves a suspension, where it stands; its rates count for nothing. `rack`: that of the steering wheel.
+template <class T>
+RackMotion<T> rack_at(const Vehicle<T>& vehicle, const Suspension<T>& suspension, const RackMotion<T>& rack,
+                      const T* values) {
+    if (suspension.steered_by < 0) return rack;
+    const AxleSteer<T>& own = vehicle.axle_steers[static_cast<std::size_t>(suspension.steered_by)];
+    return {own.travel * values[own.place], T(0), T(0)};
+}
 
 // Sizes of a state (state_layout.hpp): of the chassis, and of all at most.
 inline constexpr int chassis_size = 14;

@@ -30,7 +30,7 @@ def moving():
     rollout = hamilcar.Rollout("bmw_323i_paper", speed=20.0, steps=1, threads=1)
     held = np.array([0.0, 300.0, 0.02])
     _, state = rollout(np.tile(held, (300, 1)), held=held)
-    return rollout, held, state, np.array([0, 0, 0, 300.0, 0.02, 0, 0, 0, 0, 0, 1, 0])
+    return rollout, held, state, np.array([0, 0, 0, 300.0, 0.02, 0, 0, 0, 0, 0, 1, 0, 0])
 
 
 def test_a_step_of_its_rates_is_a_step_of_the_simulation(car, moving):

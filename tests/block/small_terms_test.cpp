@@ -108,7 +108,7 @@ TEST(Shafts, StandStillInACarThatTurnsWithItsWheels) {
         }
         for (auto& motion : velocity.suspensions[s].motion) motion = spatial<double>(Vec3<double>::Zero(), turning);
     }
-    const auto speeds = shaft_speeds(model.vehicle, state, velocity);
+    const auto speeds = powertrain_motion(model.vehicle, state, velocity).wheels;
     ASSERT_GE(model.vehicle.powertrain.wheels.size(), 2u);
     for (std::size_t i = 0; i < model.vehicle.powertrain.wheels.size(); ++i) EXPECT_NEAR(speeds[i], 0, 1e-12) << i;
 }

@@ -38,7 +38,7 @@ inline ControlledCar made_up_car() {
                       .wheels_per_angle = 1 / 16.0,
                       .full_pressure = 1e7,
                       .wheels = {},
-                      .units = {"engine"}};
+                      .units = {{.name = "engine"}}};
     for (const bool front : {true, false}) {
         for (const bool left : {true, false}) {
             car.wheels.push_back({.name = std::string(front ? "front_" : "rear_") + (left ? "left" : "right"),

@@ -36,43 +36,66 @@ Powertrain<double> powertrain() {
     return make_powertrain<double>(axle());
 }
 
+// In a chassis that stands, at the speeds of the rotor and of what it drives.
+struct Speeds {
+    double rotor, shaft;
+};
+PowerUnit<double>::Output evaluate(const PowerUnit<double>& unit, const PowertrainInput<double>& told, Speeds speeds,
+                                   double windup, double oil_torque) {
+    std::vector<double> values(static_cast<std::size_t>(unit.place) + 6);
+    const auto at = unit.state(values.data());
+    at.momentum = unit.inertia * speeds.rotor, at.windup = windup, at.oil_torque = oil_torque;
+    const auto state = unit.state(static_cast<const double*>(values.data()));
+    const Vec3<double> still = Vec3<double>::Zero();
+    const auto demand = unit.demand(told, state, speeds.shaft, still, 0, 0);
+    return unit.evaluate(demand, 1, told, state, still, speeds.shaft);
+}
+
+// Wheels that turn on a car that stands.
+PowertrainMotion<double> turning(std::initializer_list<double> wheels) {
+    PowertrainMotion<double> out;
+    out.chassis.setZero(), out.axle_turns.fill(0), out.brakes.fill(0), out.wheels.fill(0);
+    std::ranges::copy(wheels, out.wheels.begin());
+    return out;
+}
+
 TEST(CombustionEngine, InterpolatesBetweenSpeedsAndThrottles) {
     const CombustionEngine<double> e(engine());
-    EXPECT_NEAR(e.at(1, 240), 150, 1e-12);
-    EXPECT_NEAR(e.at(0, 240), -20, 1e-12);
-    EXPECT_NEAR(e.at(0.5, 240), 65, 1e-12);
-    EXPECT_NEAR(e.at(1, 500), 175, 1e-12);
-    EXPECT_NEAR(e.at(1, 900), 150, 1e-12) << "constant beyond the last point";
-    EXPECT_NEAR(e.at(2, 240), e.at(1, 240), 0) << "the pedal is limited";
+    EXPECT_NEAR(e.at(1, 240, 0), 150, 1e-12);
+    EXPECT_NEAR(e.at(0, 240, 0), -20, 1e-12);
+    EXPECT_NEAR(e.at(0.5, 240, 0), 65, 1e-12);
+    EXPECT_NEAR(e.at(1, 500, 0), 175, 1e-12);
+    EXPECT_NEAR(e.at(1, 900, 0), 150, 1e-12) << "constant beyond the last point";
+    EXPECT_NEAR(e.at(2, 240, 0), e.at(1, 240, 0), 0) << "the pedal is limited";
 }
 
 TEST(CombustionEngine, GovernorHoldsTheIdleSpeed) {
     const CombustionEngine<double> e(engine());
     double speed = 300;  // runs freely, with the rotor's inertia
-    for (int i = 0; i < 20000; ++i) speed += 1e-3 * e.at(0, speed) / 0.2;
+    for (int i = 0; i < 20000; ++i) speed += 1e-3 * e.at(0, speed, 0) / 0.2;
     EXPECT_GT(speed, 0.9 * 80);
     EXPECT_LT(speed, 80);
-    EXPECT_NEAR(e.at(0, speed), 0, 1e-9);
+    EXPECT_NEAR(e.at(0, speed, 0), 0, 1e-9);
 }
 
 TEST(CombustionEngine, StallsUnderLoadAndStartsAgain) {
     const CombustionEngine<double> e(engine());
-    EXPECT_GT(e.at(0, 0), 0) << "the starter acts";
-    EXPECT_LT(e.at(1, 0), 0.5 * 100) << "no combustion";
+    EXPECT_GT(e.at(0, 0, 0), 0) << "the starter acts";
+    EXPECT_LT(e.at(1, 0, 0), 0.5 * 100) << "no combustion";
     double speed = 0;
-    for (int i = 0; i < 5000; ++i) speed += 1e-3 * e.at(0, speed) / 0.2;
+    for (int i = 0; i < 5000; ++i) speed += 1e-3 * e.at(0, speed, 0) / 0.2;
     EXPECT_GT(speed, 0.9 * 80) << "without load it returns to idle";
 }
 
 TEST(ElectricMotor, HasConstantTorqueThenConstantPower) {
     const ElectricMotor<double> m({.max_torque = 200, .max_power = 60e3, .max_speed = 1200, .regeneration = 0.25});
-    EXPECT_NEAR(m.at(1, 100), 200, 1e-12);
-    EXPECT_NEAR(m.at(1, 299), 200, 1e-12);
-    EXPECT_NEAR(m.at(1, 600), 100, 1e-12);
-    EXPECT_NEAR(m.at(1, 1200), 0, 1e-12);
-    EXPECT_NEAR(m.at(0, 600), -25, 1e-12);
-    EXPECT_NEAR(m.at(0, 0), 0, 1e-12) << "at rest nothing is regenerated";
-    EXPECT_NEAR(m.at(0, -600), 25, 1e-12) << "it brakes backward too";
+    EXPECT_NEAR(m.at(1, 100, 0), 200, 1e-12);
+    EXPECT_NEAR(m.at(1, 299, 0), 200, 1e-12);
+    EXPECT_NEAR(m.at(1, 600, 0), 100, 1e-12);
+    EXPECT_NEAR(m.at(1, 1200, 0), 0, 1e-12);
+    EXPECT_NEAR(m.at(0, 600, 0), -25, 1e-12);
+    EXPECT_NEAR(m.at(0, 0, 0), 0, 1e-12) << "at rest nothing is regenerated";
+    EXPECT_NEAR(m.at(0, -600, 0), 25, 1e-12) << "it brakes backward too";
 }
 
 TEST(Gears, AreInterpolatedAndConnectedOnlyIfTheyExist) {
@@ -101,14 +124,14 @@ TEST(Gears, CombineTheTorsionOfAllShaftsInSeries) {
 TEST(PowerUnit, PassesTheWindUpsTorqueThroughRatioAndEfficiency) {
     const PowerUnit<double> unit = powertrain().units[0];
     const double shaft = 20, rotor = 80, windup = 0.5;  // second gear of ratio 2: 40 rad/s at the input, slipping
-    const auto out = unit.evaluate(0.5, 0, 2, rotor, shaft, windup, 0, 0);
+    const auto out = evaluate(unit, {0.5, 0, 2, nullptr}, {rotor, shaft}, windup, 0);
     EXPECT_EQ(out.shaft_speed, 40);
     EXPECT_NEAR(out.out, 2 * 0.9 * out.clutch, 1e-12);
     EXPECT_NEAR(out.rotor, out.source - out.clutch, 1e-12);
-    const auto open = unit.evaluate(0.5, 1, 2, rotor, shaft, windup, 0, 0);
+    const auto open = evaluate(unit, {0.5, 1, 2, nullptr}, {rotor, shaft}, windup, 0);
     EXPECT_EQ(open.clutch, 0) << "a pressed pedal opens the clutch";
     EXPECT_EQ(open.out, 0);
-    EXPECT_EQ(unit.evaluate(0.5, 0, 0, rotor, shaft, windup, 0, 0).out, 0) << "neutral";
+    EXPECT_EQ(evaluate(unit, {0.5, 0, 0, nullptr}, {rotor, shaft}, windup, 0).out, 0) << "neutral";
 }
 
 TEST(PowerUnit, NeverCreatesPower) {
@@ -122,7 +145,7 @@ TEST(PowerUnit, NeverCreatesPower) {
         for (int i = 0; i < 20000; ++i) {
             const double rotor = 400 * some(random), shaft = 60 * some(random), gear = 2 + 2 * some(random);
             const double steady = unit.converter.evaluate(rotor, unit.gears.at(gear).ratio * shaft).pump;
-            const auto out = unit.evaluate(0.3, 0, gear, rotor, shaft, 0, 0, steady);
+            const auto out = evaluate(unit, {0.3, 0, gear, nullptr}, {rotor, shaft}, 0, steady);
             const double in_power = (out.clutch + out.pump) * rotor, out_power = out.out * shaft;
             EXPECT_NEAR(out.loss, in_power - out_power, 1e-9 * (1 + std::abs(in_power)));
             EXPECT_GE(out.loss, -1e-9 * (1 + std::abs(in_power)))
@@ -200,25 +223,25 @@ TEST(Powertrain, PropagatesTorquesDownTheTreeAndSpeedsUp) {
         {.name = "front", .ratio = 4, .outputs = {{{true, 0}, {true, 1}}}, .shaft_stiffness = 5e3},
         {.name = "rear", .ratio = 4, .outputs = {{{true, 2}, {true, 3}}}, .shaft_stiffness = 5e3},
         {.name = "center", .ratio = 1.5, .share = 0.4, .outputs = {{{false, 0}, {false, 1}}}, .shaft_stiffness = 5e4}};
-    d.power_units[0].output = 2;
+    d.power_units[0].output = {.wheel = false, .number = 2};
     Powertrain<double> p = make_powertrain<double>(d);
-    p.unit_place = 0, p.differential_place = 4, p.supplied_place = 7;
-    std::array<double, max_driven_wheels> speeds{10, 12, 20, 24};
-    const auto in = p.input_speeds(speeds);
+    p.units[0].place = 0, p.differential_place = 4, p.supplied_place = 7;
+    const PowertrainMotion<double> motion = turning({10, 12, 20, 24});
+    const auto in = p.input_speeds(motion);
     EXPECT_NEAR(in[0], 44, 1e-12);
     EXPECT_NEAR(in[1], 88, 1e-12);
     EXPECT_NEAR(in[2], 1.5 * (0.4 * 44 + 0.6 * 88), 1e-12);
     std::vector<double> values(8);
-    p.unit_state(0, values.data()).momentum = 0.2 * 300;
-    p.unit_state(0, values.data()).windup = 0.3;
+    p.units[0].state(values.data()).momentum = 0.2 * 300;
+    p.units[0].state(values.data()).windup = 0.3;
     PowertrainMomenta<double> out;
-    p.evaluate({0.5, 0, 2, nullptr}, Vec3<double>::Zero(), speeds, values.data(), out);
+    p.evaluate({0.5, 0, 2, nullptr}, motion, values.data(), out);
     const double torque = out.units[0].out;
     EXPECT_NE(torque, 0);
     EXPECT_NEAR(out.wheels[0], torque * 1.5 * 0.4 * 4 / 2, 1e-9);
     EXPECT_NEAR(out.wheels[3], torque * 1.5 * 0.6 * 4 / 2, 1e-9);
     double wheel_power = 0;
-    for (std::size_t i = 0; i < 4; ++i) wheel_power += out.wheels[i] * speeds[i];
+    for (std::size_t i = 0; i < 4; ++i) wheel_power += out.wheels[i] * motion.wheels[i];
     EXPECT_NEAR(wheel_power, torque * in[2], 1e-9) << "open differentials lose nothing";
     EXPECT_NEAR(out.supplied, out.units[0].source * 300, 1e-9);
 }
@@ -229,15 +252,15 @@ TEST(Powertrain, AddsTheTorquesOfItsUnits) {
     d.power_units.push_back(d.power_units[0]);
     d.power_units[1].name = "second";
     Powertrain<double> p = make_powertrain<double>(d);
-    p.unit_place = 0, p.differential_place = 8, p.supplied_place = 9;
-    const std::array<double, max_driven_wheels> speeds{10, 10};
+    p.units[0].place = 0, p.units[1].place = 4, p.differential_place = 8, p.supplied_place = 9;
+    const PowertrainMotion<double> motion = turning({10, 10});
     std::vector<double> values(10);
     for (std::size_t i = 0; i < 2; ++i) {
-        p.unit_state(i, values.data()).momentum = 0.2 * 300;
-        p.unit_state(i, values.data()).windup = i == 0 ? 0.1 : 0.05;
+        p.units[i].state(values.data()).momentum = 0.2 * 300;
+        p.units[i].state(values.data()).windup = i == 0 ? 0.1 : 0.05;
     }
     PowertrainMomenta<double> out;
-    p.evaluate({0.5, 0, 2, nullptr}, Vec3<double>::Zero(), speeds, values.data(), out);
+    p.evaluate({0.5, 0, 2, nullptr}, motion, values.data(), out);
     EXPECT_GT(out.units[0].out, out.units[1].out + 1);
     EXPECT_NEAR(out.wheels[0], 3 * (out.units[0].out + out.units[1].out) / 2, 1e-9);
     EXPECT_NEAR(out.supplied, 300 * (out.units[0].source + out.units[1].source), 1e-9);

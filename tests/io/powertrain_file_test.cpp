@@ -23,7 +23,7 @@ VehicleDescription read_text(const std::string& text) {
     return read_vehicle(folder.write("car.toml", text));
 }
 
-void expect_output(const DifferentialDescription::Output& output, bool wheel, std::size_t number) {
+void expect_output(const DrivenPart& output, bool wheel, std::size_t number) {
     EXPECT_EQ(output.wheel, wheel);
     EXPECT_EQ(output.number, number);
 }
@@ -68,7 +68,7 @@ TEST(PowertrainFile, EngineWithConverterAndAutomaticGearbox) {
     ASSERT_EQ(car.power_units.size(), 2u);
     const PowerUnitDescription& unit = car.power_units[0];
     EXPECT_EQ(unit.name, "engine");
-    EXPECT_EQ(unit.output, 2u);
+    expect_output(unit.output, false, 2);
     EXPECT_EQ(unit.inertia, 0.2);
     EXPECT_THAT(unit.axis, ElementsAre(-1, 0, 0));
     EXPECT_EQ(unit.response_time, 0.1);
@@ -109,7 +109,7 @@ TEST(PowertrainFile, MotorNeedsNeitherClutchNorGearbox) {
     EXPECT_EQ(motor.max_power, 60e3);
     EXPECT_DOUBLE_EQ(motor.max_speed, 9000 * rpm);
     EXPECT_EQ(motor.regeneration, 0.3);
-    EXPECT_EQ(unit.output, 0u);
+    expect_output(unit.output, false, 0);
     EXPECT_EQ(unit.damping_ratio, 0.1);
     EXPECT_EQ(std::get<ClutchDescription>(unit.coupling).capacity, 0);
     EXPECT_THAT(unit.gearbox.ratios, ElementsAre(1));

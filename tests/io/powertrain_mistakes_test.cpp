@@ -217,7 +217,7 @@ TEST(PowertrainFile, HasPlacesForSoMany) {
     }
     const TemporaryFolder folder;
     const std::string path = folder.write("car.toml", shipped_car_text() + units);
-    expect_error([&] { read_vehicle(path); }, ExitCode::bad_file, {"'power_unit'", "4 power units at most"});
+    expect_error([&] { read_vehicle(path); }, ExitCode::bad_file, {"'power_unit'", "8 power units at most"});
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST_P(KnownCar, KnowsItsWheelsAsTheFileSays) {
     });
     EXPECT_EQ(car.full_pressure, file.brakes.full_pressure);
     ASSERT_EQ(car.units.size(), file.power_units.size());
-    EXPECT_EQ(car.units[0], file.power_units[0].name);
+    EXPECT_EQ(car.units[0].name, file.power_units[0].name);
 }
 
 // As the steered wheels turn when the steering wheel does, read off a car that stands.

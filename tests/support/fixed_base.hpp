@@ -93,7 +93,7 @@ private:
     Velocity<double> velocity_at(const State<double>& at) const {
         Velocity<double> out;
         out.R_GC.setIdentity(), out.chassis.setZero();
-        condense_suspensions(model_, at, RackMotion<double>{}, out, static_cast<RackCoupling<double>*>(nullptr));
+        condense_suspensions(model_, at, out);
         move_suspensions(model_.vehicle, out);
         return out;
     }

@@ -78,13 +78,19 @@ private:
     void powertrain() {
         const Powertrain<double>& one = vehicle_.powertrain;
         for (std::size_t i = 0; i < one.units.size(); ++i) {
-            const auto unit = one.unit_state(i, state_.values.data());
+            const auto unit = one.units[i].state(state_.values.data());
             const std::string& name = described_.power_units[i].name;
             note(unit.momentum, name + ".momentum"), note(unit.windup, name + ".windup");
             note(unit.throttle, name + ".throttle"), note(unit.oil_torque, name + ".converter_torque");
+            if (!one.units[i].shafts.exist()) continue;
+            note(unit.shafts[0], name + ".gearbox_momentum"), note(unit.shafts[1], name + ".shafts_windup");
         }
         for (std::size_t i = 0; i < one.differentials.size(); ++i) {
             note(one.windup(i, state_.values.data()), described_.differentials[i].name + ".windup");
+        }
+        if (one.battery.exists()) {
+            const auto battery = one.battery.state(state_.values.data());
+            note(battery.charge, "battery.charge"), note(battery.voltage, "battery.voltage");
         }
         note(one.supplied(state_.values.data()), "energy_supplied");
     }
@@ -123,6 +129,11 @@ private:
             note(state_.values[static_cast<std::size_t>(vehicle_.actuator_place) + i],
                  commands.commands()[command].name);
         }
+        for (std::size_t i = 0; i < vehicle_.axle_steers.size(); ++i) {
+            const auto place = static_cast<std::size_t>(vehicle_.axle_steers[i].place);
+            note(state_.values[place], described_.axle_steers[i].axle + ".steer");
+            note(state_.values[place + 1], described_.axle_steers[i].axle + ".steer_rate");
+        }
     }
 
     const VehicleDescription& described_;
@@ -138,6 +149,14 @@ void make_adjustable(VehicleDescription& car) {
     if (!car.anti_roll_bars.empty()) car.anti_roll_bars[0].max_force = 1000;
 }
 
+// A battery, a gearbox with an inertia, a rear axle with an actuator of its own.
+void make_further(VehicleDescription& car) {
+    if (car.power_units.empty()) return;
+    car.battery = {.exists = true, .capacity = 1, .charge = {0}, .voltage = {400}};
+    car.power_units.back().shafts = {.exists = true, .gearbox_inertia = 0.01, .stiffness = 1e4};
+    car.axle_steers = {{.axle = "rear", .travel = 0.01, .frequency = 30}};
+}
+
 TEST(StateLayout, NamesEveryNumberThatTheBlocksReach) {
     std::set<StateKind> kinds;
     for (const auto& entry : std::filesystem::directory_iterator(test::source_path("vehicles"))) {
@@ -146,6 +165,7 @@ TEST(StateLayout, NamesEveryNumberThatTheBlocksReach) {
         VehicleDescription car = io::read_vehicle(entry.path().string());
         if (car.steering.mechanics) car.steering.is_free = true;
         make_adjustable(car);
+        make_further(car);
         const StateLayout layout(car);
         const Views views(car);
         ASSERT_EQ(layout.size(), views.size());

@@ -6,6 +6,7 @@ import { Aids } from "./aids";
 import { calibrate } from "./calibration";
 import { Controls } from "./controls";
 import { Dashboard } from "./dashboard";
+import { Feedback } from "./feedback";
 import type { LiveFrame } from "./frame";
 import { Metronome } from "./gauge";
 import { offerHooks } from "./hooks";
@@ -38,6 +39,7 @@ export class App {
   private readonly wheels = new WheelTable();
   private readonly machine = new MachineLine();
   private readonly strip = new Strip();
+  private readonly feedback = new Feedback(() => (this.session.role === "driver" ? this.controls.pad : null));
   private readonly result = new ResultCard(() => this.reset());
   private readonly notices = new Notices(this.result.root);
   private readonly toolbar: Toolbar;
@@ -65,6 +67,7 @@ export class App {
 
   run(): void {
     this.showSituation();
+    this.menu.showFeedback(this.feedback.on);
     offerHooks(this.session, this.picture, this.latency, () => this.textsTime);
     this.view.focus({ preventScroll: true });
     requestAnimationFrame((now) => this.draw(now));
@@ -100,6 +103,7 @@ export class App {
         setPace: (factor) => this.send({ type: "pace", factor }),
         show: (part, on) => this.showPart(part, on),
         calibrate: () => calibrate(this.host, () => this.controls.forgetCalibrations()),
+        setFeedback: (on) => this.setFeedback(on),
         closed: () => {
           this.toolbar.showMenu(false);
           this.backToView();
@@ -121,6 +125,7 @@ export class App {
       togglePause: () => this.send({ type: "pause", on: this.session.status?.paused !== "driver" }),
       chooseCamera: (mode) => this.chooseCamera(mode),
       switchAid: (number) => this.aids.pressNumber(number),
+      toggleFeedback: () => this.setFeedback(!this.feedback.on),
       toggleMenu: () => this.toggleMenu(),
       closePanels: () => this.menu.close(),
     });
@@ -131,6 +136,7 @@ export class App {
       linkChanged: (state) => this.linkChanged(state),
       greeted: (hello) => this.menu.course.greet(hello),
       carChanged: (car, frame) => this.carChanged(car, frame),
+      frameArrived: (bytes) => this.feedback.receive(bytes),
       tileArrived: (tile) => this.picture.addTile(tile),
       courseEnded: ({ course }, result) => this.result.show(course?.title ?? "", result),
       statusChanged: (status) => this.statusChanged(status),
@@ -157,6 +163,7 @@ export class App {
     this.aids.setCar(car, frame);
     this.wheels.setCar(car.scene, frame);
     this.strip.setCar(frame);
+    this.feedback.setCar(car);
     this.menu.course.show(car);
     this.controls.setDriveline(car.driveline ?? null);
     this.result.hide();
@@ -212,6 +219,12 @@ export class App {
     this.picture.camera = mode;
     this.toolbar.showCamera(mode);
     this.backToView();
+  }
+
+  private setFeedback(on: boolean): void {
+    this.feedback.on = on;
+    this.menu.showFeedback(on);
+    this.notices.say(on ? "Force feedback is on." : "Force feedback is off.");
   }
 
   private toggleMenu(): void {

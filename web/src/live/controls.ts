@@ -62,10 +62,14 @@ export class Controls {
     return this.hands;
   }
 
+  // The controller that drives: not one that lies there while keys do.
+  get pad(): Gamepad | null {
+    return this.source === "pads" && !this.elsewhere ? this.pads.pad : null;
+  }
+
   // Once a picture: controllers do not tell when they move.
   poll(): void {
-    const elsewhere = document.hidden || !document.hasFocus() || document.querySelector("dialog[open]") !== null;
-    if (elsewhere) {
+    if (this.elsewhere) {
       if (this.source === "pads" && apart(this.hands, letGo) > 0) this.release();
       return;
     }
@@ -73,6 +77,10 @@ export class Controls {
     const moved = apart(this.pads.held, this.padsAtRest) > meant;
     if (moved) this.padsAtRest = this.pads.held;
     if (moved || this.source === "pads") this.use("pads", performance.now(), false);
+  }
+
+  private get elsewhere(): boolean {
+    return document.hidden || !document.hasFocus() || document.querySelector("dialog[open]") !== null;
   }
 
   forgetCalibrations(): void {

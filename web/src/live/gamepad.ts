@@ -75,6 +75,7 @@ export function readPad(pad: Gamepad, calibration: Calibration | null): Held {
 // Reads the first controller that can be read, once a picture.
 export class Pads {
   held: Held = letGo;
+  pad: Gamepad | null = null; // that was read last
   private readonly calibrations = new Map<string, Calibration | null>();
   private down = new Set<PadCommand>();
 
@@ -86,6 +87,7 @@ export class Pads {
 
   poll(): void {
     const pad = connectedPads().find((one) => one.mapping === "standard" || this.calibration(one) !== null);
+    this.pad = pad ?? null;
     this.held = pad ? readPad(pad, this.calibration(pad)) : letGo;
     const down = new Set<PadCommand>();
     for (const [button, command] of pad?.mapping === "standard" ? commandButtons : []) {

@@ -18,6 +18,7 @@ export const liveKeys: readonly { readonly keys: string; readonly meaning: strin
   { keys: "P", meaning: "pause" },
   { keys: "1 2 3 4 5", meaning: "camera: chase, orbit, top, driver, wheel" },
   { keys: aidKeys.join(" "), meaning: "the car's aids (ABS, ESC, ...), from the left: off and on" },
+  { keys: "V", meaning: "force feedback: the gamepad vibrates or not" },
   { keys: "M", meaning: "menu" },
 ];
 
@@ -30,6 +31,7 @@ export interface KeyListener {
   shift(by: 1 | -1): void;
   chooseCamera(mode: CameraMode): void;
   switchAid(number: number): void; // from the left, counted from 0
+  toggleFeedback(): void;
   toggleMenu(): void;
   closePanels(): void;
 }
@@ -115,6 +117,7 @@ export class Keys {
       p: () => this.listener.togglePause(),
       r: () => this.listener.toggleReverse(),
       g: () => this.listener.nextSelector(),
+      v: () => this.listener.toggleFeedback(),
       m: () => this.listener.toggleMenu(),
       Escape: () => this.listener.closePanels(),
     };

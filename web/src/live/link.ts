@@ -8,6 +8,7 @@ export type LinkState = "connecting" | "open" | "lost" | "refused";
 export interface LinkListener {
   stateChanged(state: LinkState): void;
   received(message: ServerMessage): void;
+  frameReceived(bytes: ArrayBuffer): void; // each of them, drawn or not
   tileReceived(bytes: ArrayBuffer): void;
 }
 
@@ -89,7 +90,11 @@ export class Link {
       return;
     }
     const kind = new DataView(data).getUint32(0, true);
-    if (kind === frameKind) this.newest = data;
-    else if (kind === tileKind) this.listener.tileReceived(data);
+    if (kind === frameKind) {
+      this.newest = data;
+      this.listener.frameReceived(data);
+    } else if (kind === tileKind) {
+      this.listener.tileReceived(data);
+    }
   }
 }

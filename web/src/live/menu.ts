@@ -24,12 +24,17 @@ const themes: readonly { value: Theme; label: string }[] = [
   { value: "light", label: "Light" },
   { value: "dark", label: "Dark" },
 ];
+const onOrOff: readonly { value: boolean; label: string }[] = [
+  { value: true, label: "On" },
+  { value: false, label: "Off" },
+];
 
 export interface MenuListener {
   load(course: Course): void;
   setPace(factor: number): void;
   show(part: Part, on: boolean): void;
   calibrate(): void;
+  setFeedback(on: boolean): void;
   closed(): void;
 }
 
@@ -44,6 +49,7 @@ export class Menu {
     paces.map((value) => ({ value, label: value === 1 ? "1" : String(value) })),
     (factor) => this.listener.setPace(factor),
   );
+  private readonly feedback = choices("Force feedback", onOrOff, (on) => this.listener.setFeedback(on));
   private readonly theme = choices("Colors", themes, (theme) => {
     chooseTheme(theme);
     this.theme.set(theme);
@@ -70,6 +76,11 @@ export class Menu {
         "Controller",
         element("button", { type: "button", onclick: () => listener.calibrate() }, "Set up wheel and pedals…"),
       ),
+      section(
+        "Force feedback",
+        this.feedback.root,
+        element("p", { class: "hint" }, "A gamepad vibrates with the torque on the steering wheel."),
+      ),
       section("Keys", element("button", { type: "button", onclick: showKeys }, "Show the keys")),
     );
   }
@@ -91,6 +102,10 @@ export class Menu {
 
   showPace(factor: number): void {
     this.pace.set(factor);
+  }
+
+  showFeedback(on: boolean): void {
+    this.feedback.set(on);
   }
 
   private partToggles(roomy: boolean): HTMLElement {

@@ -11,6 +11,7 @@ export interface SessionListener {
   linkChanged(state: LinkState): void;
   greeted(hello: Hello): void;
   carChanged(car: CarMessage, frame: LiveFrame): void;
+  frameArrived(bytes: ArrayBuffer): void; // each of them, drawn or not
   tileArrived(tile: RoadTile): void;
   courseEnded(car: CarMessage, result: CourseResult): void;
   statusChanged(status: Status): void;
@@ -32,6 +33,7 @@ export class Session {
     this.link = new Link(address, {
       stateChanged: (state) => this.linkChanged(state),
       received: (message) => this.receive(message),
+      frameReceived: (bytes) => this.listener.frameArrived(bytes),
       tileReceived: (bytes) => this.receiveTile(bytes),
     });
   }

@@ -35,6 +35,20 @@ function tireReader(frame: LiveFrame, tire: string): TireReader {
 
 const axes = ["ground_force_x", "ground_force_y", "ground_force_z"] as const;
 
+const velocityReaders = (frame: LiveFrame): readonly (() => number)[] => [
+  frame.reader("longitudinal_velocity"),
+  frame.reader("lateral_velocity"),
+];
+
+// Of the tire that slides most, on the ground and while the car moves: 1 at the peak of most tires.
+export function slipReader(frame: LiveFrame, tires: Scene["tires"]): () => number {
+  const readers = tires.map(({ name }) => tireReader(frame, name));
+  const velocity = velocityReaders(frame);
+  const slipOf = ({ load, angle, slip }: TireReader): number =>
+    load() > lifted ? Math.max(Math.abs(angle()) / slides.angle, Math.abs(slip()) / slides.slip) || 0 : 0;
+  return () => (Math.hypot(...velocity.map((read) => read())) < crawl ? 0 : Math.max(0, ...readers.map(slipOf)));
+}
+
 const sum = (values: readonly number[]): number => values.reduce((a, b) => a + b, 0);
 const largest = (values: readonly number[]): number =>
   values.reduce((a, b) => (Math.abs(b) > Math.abs(a) || Number.isNaN(a) ? b : a), NaN);
@@ -161,7 +175,7 @@ export class WheelTable {
       Math.abs(a.center[0] - b.center[0]) > a.radius ? b.center[0] - a.center[0] : b.center[1] - a.center[1],
     );
     this.rows = order.map((wheel) => new WheelRow(frame, scene, wheel));
-    this.velocity = [frame.reader("longitudinal_velocity"), frame.reader("lateral_velocity")];
+    this.velocity = velocityReaders(frame);
     this.full = { load: fullLoad, pressure: fullPressure };
     this.root.classList.toggle("without-brakes", brakedWheel(frame, scene.wheels) === undefined);
     const units = unitsOf(frame, scene);
