@@ -14,19 +14,16 @@ namespace hamilcar {
 
 namespace {
 
-// The highest of a map: of a battery that is full and carries no load [V].
-double motor_voltage(const MotorDescription& motor) {
-    return motor.torque.level.empty() ? 0 : motor.torque.level.back();
-}
-
 // With the pedal down, at a speed of the rotor [N m].
-double full_torque(const PowerUnitDescription& unit, double speed) {
-    if (const auto* motor = std::get_if<MotorDescription>(&unit.source)) {
-        if (speed >= motor->max_speed) return 0;
-        return ElectricMotor<double>(*motor).strongest(speed, motor_voltage(*motor));
-    }
-    const TorqueCurve& curve = std::get<EngineDescription>(unit.source).torque.back();
+double full_torque(const EngineDescription& engine, double speed) {
+    const TorqueCurve& curve = engine.torque.back();
     return interpolated(curve.speed, curve.torque, speed);
+}
+// Of a motor at a voltage that its battery has without load; the last of its map without one.
+double full_torque(const ElectricMotor<double>& motor, const BatteryDescription& battery, double speed) {
+    constexpr double endless = 1e9;  // [V]
+    if (speed >= motor.max_speed) return 0;
+    return motor.strongest(speed, battery.exists ? battery.voltage.back() : endless);
 }
 
 // Pull of one gear as a function of speed, with the vehicle looked at once.
@@ -35,15 +32,24 @@ public:
     explicit Pull(const VehicleDescription& vehicle) : vehicle_(vehicle), outputs_(output_speeds(vehicle)) {}
 
     double operator()(int gear, double speed) const {
-        double force = 0;
+        const BatteryDescription& battery = vehicle_.battery;
+        double engines = 0, motors = 0, power = 0;
         for (std::size_t i = 0; i < outputs_.size(); ++i) {
             const PowerUnitDescription& unit = vehicle_.power_units[i];
             const auto& ratios = unit.gearbox.ratios;
             const auto place = std::min(static_cast<std::size_t>(std::max(gear, 1)), ratios.size()) - 1;
             const double turns = ratios[place] * outputs_[i];  // of the rotor, over the speed [rad/m]
-            force += full_torque(unit, turns * speed) * turns * unit.gearbox.efficiency;
+            const double passed = turns * unit.gearbox.efficiency;
+            if (const auto* engine = std::get_if<EngineDescription>(&unit.source)) {
+                engines += full_torque(*engine, turns * speed) * passed;
+                continue;
+            }
+            const ElectricMotor<double> motor(std::get<MotorDescription>(unit.source));
+            const double torque = full_torque(motor, battery, turns * speed);
+            motors += torque * passed, power += motor.electric_power(torque, turns * speed);
         }
-        return force;
+        const double most = battery.max_discharge - battery.auxiliary_power;
+        return engines + (battery.exists && power > most ? motors * most / power : motors);
     }
 
 private:

@@ -1,5 +1,7 @@
 #include "hamilcar/analysis/unbalanced.hpp"
 
+#include <algorithm>
+
 #include "hamilcar/analysis/acceleration.hpp"
 #include "hamilcar/block/rhs.hpp"
 
@@ -66,7 +68,18 @@ double Unbalanced::along(std::size_t s, const LinkagePosition<double>& moved) co
     for (std::size_t i = 0; i < suspension.dampers.size(); ++i) {
         force -= f.dampers[i].force * rate_of(suspension.dampers[i].line);
     }
-    return force;
+    return force - of_shaft(s, moved);
+}
+
+// Of the shaft to a differential on a live axle.
+double Unbalanced::of_shaft(std::size_t s, const LinkagePosition<double>& moved) const {
+    const Suspension<double>& suspension = vehicle_.suspensions[s];
+    if (suspension.shaft_frame == 0) return 0;
+    const auto& all = vehicle_.powertrain.differentials;
+    const auto on_it = std::ranges::find(all, static_cast<int>(s), &Differential<double>::on_axle);
+    const double torque = momenta_.powertrain.inputs[static_cast<std::size_t>(on_it - all.begin())];
+    return torque *
+           suspension.shaft_axis.dot(angular(moved.motion.x[static_cast<std::size_t>(suspension.shaft_frame)]));
 }
 
 double Unbalanced::of_bodies(std::size_t s, const LinkagePosition<double>& moved, const ChassisMotion& chassis) const {

@@ -34,6 +34,7 @@ private:
     double of_bodies(std::size_t s, const LinkagePosition<double>& moved, const ChassisMotion& chassis) const;
     double of_wheel(std::size_t s, std::size_t i, const LinkagePosition<double>& moved,
                     const ChassisMotion& chassis) const;
+    double of_shaft(std::size_t s, const LinkagePosition<double>& moved) const;
     // h' + v_chassis x* h
     template <class Momentum>
     Spatial<double> rate_of(const ChassisMotion& chassis, const Momentum& momentum) const;

@@ -43,6 +43,7 @@ std::vector<int> shape(const Powertrain<double>& powertrain) {
                     static_cast<int>(unit.gears.ratio.size()), static_cast<int>(unit.converter.capacity.slope.size())});
         out.insert(out.end(), {unit.rotor_is_free, unit.shafts.present, unit.place});
         const auto add = [&out](const CurveFamily<double>& family) {
+            out.push_back(static_cast<int>(family.curves.size()));
             for (const auto& curve : family.curves) out.push_back(static_cast<int>(curve.slope.size()));
         };
         if (const auto* engine = std::get_if<CombustionEngine<double>>(&unit.source)) {

@@ -53,7 +53,7 @@ void powertrain_momenta(const Vehicle<T>& vehicle, const State<T>& state, const 
     PowertrainMomenta<T>& to = out.powertrain;
     powertrain.evaluate(told, motion, state.values.data(), to);
     for (std::size_t i = 0; i < powertrain.wheels.size(); ++i) {
-        shafts.wheels[of_wheel(i)] = to.wheels[i];
+        shafts.wheels[of_wheel(i)] += to.wheels[i];  // several units may drive one wheel
         if (!powertrain.regenerates) continue;
         T& limit = out.brakes.limit[of_wheel(i)];
         limit = max(T(limit - to.regenerated[i]), T(0));

@@ -47,7 +47,7 @@ public:
 private:
     double share(double speed) const {
         const double relative = speed / neutral_speed_, odds = -low_ * relative * relative;  // times 1 / high
-        return high_ > 0 ? low_ + (high_ - low_) * odds / (odds + high_) : low_;
+        return low_ + (high_ - low_) * odds / (odds + high_);
     }
 
     ControlledCar car_;
@@ -56,7 +56,11 @@ private:
 
 std::string lacks(const VehicleDescription& vehicle) {
     if (vehicle.steering.rack_per_revolution <= 0) return "a steering wheel";
-    return vehicle.axle_steers.empty() ? "an [axle.steering_actuator]" : "";
+    for (const SuspensionDescription& suspension : vehicle.suspensions) {
+        const double x = suspension.wheels[0].wheel.center[0];
+        if (suspension.steered_by && x < vehicle.chassis.center_of_mass[0]) return "";
+    }
+    return "an [axle.steering_actuator] behind the center of mass";
 }
 
 }  // namespace
@@ -65,8 +69,8 @@ ControllerKind rear_steer() {
     return {
         .keyword = "rear_steer",
         .meaning = "rear wheels turn against the front ones at low speed and with them at high speed",
-        .keys = {{"share_at_rest", "of the front wheels' angle, while the car stands", -0.3, -1, 0},
-                 {"share_at_high_speed", "of the front wheels' angle, far above the neutral speed", 0.2, 0, 1},
+        .keys = {{"share_at_rest", "of the front wheels' angle, while the car stands", -0.3, -1, -0.01},
+                 {"share_at_high_speed", "of the front wheels' angle, far above the neutral speed", 0.2, 0.01, 1},
                  {"neutral_speed_m_per_s", "at which the rear wheels stay straight", 16, 1, 100}},
         .lacks = lacks,
         .make = [](const ControllerSettings& settings, const ControlledCar& car) -> std::unique_ptr<const Controller> {

@@ -30,7 +30,8 @@ constexpr double no_pressure = .01;    // of full pressure: the brake does not t
 constexpr double pressed = .01;        // of a pedal's travel
 
 SineCosine<double> heading(const ControlledCar& car, const Measured& measured, const ControlledWheel& wheel) {
-    return sincos(wheel.steered ? measured.steering_wheel * car.wheels_per_angle : 0.);
+    if (!wheel.steered) return {.sine = 0, .cosine = 1};
+    return sincos(measured.steering_wheel * car.wheels_per_angle);
 }
 
 // Lateral speed of a wheel, as if the rearmost axle had no sideslip [m/s].
@@ -55,9 +56,9 @@ bool is_braked(const ControlledCar& car, const Measured& measured) {
 }
 
 // A wheel without pressure while the driver brakes is one that an anti-lock system has just released: it may still be slow.
-bool is_free(const ControlledCar& car, const Measured& measured, std::size_t wheel) {
+bool is_free(const ControlledCar& car, const Measured& measured, std::size_t wheel, bool braked) {
     if (car.wheels[wheel].brake_torque <= 0) return true;
-    return !is_braked(car, measured) && measured.brake_pressure[wheel] <= no_pressure * car.full_pressure;
+    return !braked && measured.brake_pressure[wheel] <= no_pressure * car.full_pressure;
 }
 
 // What wheels say of the speed, and on which sides of it they can be trusted.
@@ -69,14 +70,14 @@ struct Evidence {
 
 Evidence evidence(const ControlledCar& car, const Measured& measured) {
     double rolling = -1e9, fastest = -1e9, slowest = 1e9;
+    const bool braked = is_braked(car, measured), driven = measured.throttle > pressed;
     for (std::size_t i = 0; i < car.wheels.size(); ++i) {
         const double speed = speed_by(car, measured, i);
         fastest = std::max(fastest, speed);
-        if (!is_free(car, measured, i)) continue;
+        if (!is_free(car, measured, i, braked)) continue;
         slowest = std::min(slowest, speed);
         if (!car.wheels[i].driven) rolling = std::max(rolling, speed);
     }
-    const bool braked = is_braked(car, measured), driven = measured.throttle > pressed;
     if (rolling > -1e9) return {rolling, true, true, true};
     if (!braked && driven && slowest < 1e9) return {slowest, false, true, false};
     return {fastest, !driven, false, !driven && !braked};

@@ -32,12 +32,14 @@ double noise(std::uint64_t seed, std::uint64_t sensor, std::uint64_t sample) {
 Sensors::Sensors(const std::vector<Group>& groups, std::uint64_t seed, double step) : seed_(seed) {
     for (const Group& group : groups) {
         const SensorDescription& sensor = group.sensor;
-        Channels one{.group = group, .interval = 1, .delay = 0, .memory = memory_};
+        Channels one{.group = group, .interval = 1, .delay = 0, .memory = memory_, .shows_all = false};
         if (sensor.interval > 0) one.interval = std::max(1L, std::lround(sensor.interval / step));
         constexpr double rounding = 1e-9;  // of a delay that is a whole number of intervals
         one.delay =
             static_cast<std::size_t>(std::ceil(sensor.delay / (static_cast<double>(one.interval) * step) - rounding));
-        looks_always_ = looks_always_ || one.interval > 1 || one.delay > 0;
+        const bool samples = one.interval > 1 || one.delay > 0;
+        one.shows_all = !samples && sensor.noise == 0 && sensor.resolution == 0;
+        looks_always_ = looks_always_ || samples;
         size_ = std::max(size_, group.first + group.count);
         memory_ += group.count * (one.delay + 1);
         channels_.push_back(one);
@@ -55,6 +57,10 @@ double Sensors::shown_value(const Channels& channels, std::size_t number, double
 void Sensors::look(long step, std::span<const double> measured, std::span<double> memory,
                    std::span<double> shown) const {
     for (const Channels& one : channels_) {
+        if (one.shows_all) {
+            std::ranges::copy(measured.subspan(one.group.first, one.group.count), &shown[one.group.first]);
+            continue;
+        }
         const long sample = step / one.interval, ring = static_cast<long>(one.delay) + 1;
         for (std::size_t i = 0; i < one.group.count; ++i) {
             double* samples = &memory[one.memory + i * static_cast<std::size_t>(ring)];

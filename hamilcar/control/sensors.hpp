@@ -36,6 +36,7 @@ private:
         long interval;       // [steps]
         std::size_t delay;   // [samples]
         std::size_t memory;  // where its ring of samples begins: `delay` + 1 of each number
+        bool shows_all;      // it samples every step, and shows that at once as it is
     };
     double shown_value(const Channels& channels, std::size_t number, double sample, long sample_number) const;
 

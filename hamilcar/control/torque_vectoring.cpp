@@ -49,7 +49,7 @@ public:
         const double rate = asked_rate(std::max(v, least_speed), measured);
         state.asked += (rate - state.asked) * std::min(measured.interval / response_time_, 1.0);
         const double acts =
-            measured.gear < 0 ? 0 : std::clamp((v - least_speed) / (full_speed - least_speed), 0.0, 1.0);
+            measured.gear <= 0 ? 0 : std::clamp((v - least_speed) / (full_speed - least_speed), 0.0, 1.0);
         const double missing = state.asked - measured.angular_rate[2];
         const double moment = acts * gain_ * car_.yaw_inertia * missing / static_cast<double>(pairs_.size());
         state.activity = 0;

@@ -30,6 +30,8 @@ struct BatteryMomenta {
 template <class T>
 struct BatteryShares {
     T driving{1}, braking{1};
+    // `drives`: of a motor, 1 where it drives or stands, 0 where it brakes.
+    T of(const T& drives) const { return braking + (driving - braking) * drives; }
 };
 
 template <class T>
@@ -73,7 +75,8 @@ struct Battery {
         out.power = power + auxiliary_power;
         out.current = out.power / max(at.voltage, T(least));
         out.heat = resistance * out.current * out.current;
-        out.charge_rate = -out.current * inverse_capacity;
+        const T rate = -out.current * inverse_capacity;
+        out.charge_rate = select(at.charge > T(0), rate, max(rate, T(0)));
         out.voltage_rate = T(voltage_rate) * (open_voltage.at(at.charge) - resistance * out.current - at.voltage);
         return out;
     }

@@ -173,6 +173,10 @@ struct PowerUnit {
         T torque;         // [N m]
         T regenerated;    // by how much it brakes more, in place of friction [N m]
         T power;          // from a battery [W]
+        // Of a motor for the battery's limits: 1 where it drives or stands, and down to 0 where it brakes, over some of its speed; and the
+        // power that its torque counts as at least then. So an empty battery holds no torque at a standstill, and limits are no steeper
+        // over the speed than a rotor can follow.
+        T drives, least_power;
     };
     // `shaft`: speed of what it drives [rad/s]; `chassis`: angular velocity; `voltage`: of the battery; `brake`: torque at what it drives
     // that the brake pedal asks for [N m].
@@ -185,7 +189,8 @@ struct PowerUnit {
         out.throttle = select(response_rate == T(0), clamp(pedal, T(0), T(1)), at.throttle);
         out.throttle_rate = response_rate * (clamp(pedal, T(0), T(1)) - at.throttle);
         out.torque = dispatch(source, [&](const auto& kind) -> T { return kind.at(out.throttle, out.spin, voltage); });
-        out.regenerated = out.power = T(0);
+        if (!rotor_is_free) out.torque = out.torque * at_gear(gears.connected, told.gear);
+        out.regenerated = out.power = out.drives = out.least_power = T(0);
         if (is_electric()) add_motor_demand(told, voltage, brake, out);
         return out;
     }
@@ -212,20 +217,27 @@ struct PowerUnit {
         o.throttle_rate = asked.throttle_rate;
         o.source = asked.torque, o.electric_power = asked.power, o.regenerated = T(0);
         if (is_electric()) {
-            const auto& motor = std::get<ElectricMotor<T>>(source);
-            o.source = asked.torque * share, o.electric_power = motor.electric_power(o.source, o.spin);
+            o.source = asked.torque * share, o.electric_power = electric_power(o.source, o.spin);
             o.regenerated = asked.regenerated * share * abs(engaged.ratio);
         }
         if (rotor_is_free) {
             couple(engaged, told, at, chassis, shaft, o);
         } else {
-            o.shaft_speed = o.spin, o.clutch = o.source * engaged.connected;
+            o.shaft_speed = o.spin, o.clutch = o.source;
             o.pump = o.turbine = o.rotor = o.gearbox = T(0);
             o.windup_rate = o.oil_torque_rate = o.shafts_windup_rate = T(0);
             const T friction = friction_of(engaged, o.clutch, o.shaft_speed);
             o.out = engaged.ratio * (o.clutch - friction), o.loss = friction * o.shaft_speed;
         }
         return o;
+    }
+
+    // What a motor takes from a battery for a torque [W].
+    T electric_power(const T& torque, const T& spin) const {
+        return is_electric() ? std::get<ElectricMotor<T>>(source).electric_power(torque, spin) : T(0);
+    }
+    bool has_efficiency_map() const {
+        return is_electric() && std::get<ElectricMotor<T>>(source).efficiency_map.exists();
     }
 
     // Torque with the pedal released and fully pressed, for drivers.
@@ -248,19 +260,26 @@ private:
         const auto& motor = std::get<ElectricMotor<T>>(source);
         const bool commanded = told.commands && command >= 0;
         const T strongest = motor.strongest(out.spin, voltage);
+        const T ratio = abs(at_gear(gears.ratio, told.gear)), connected = at_gear(gears.connected, told.gear);
         if (commanded) {
-            const T added = told.commands[command + UnitCommand::added_torque] * motor.max_torque;
+            T added = told.commands[command + UnitCommand::added_torque] * motor.max_torque;
+            added = select(added * out.spin > T(0), T(added * motor.driving(abs(out.spin))), added);
+            if (!rotor_is_free) added = added * connected;
             out.torque = clamp(T(out.torque + added), T(-strongest), strongest);
         }
-        const T ratio = abs(at_gear(gears.ratio, told.gear)), connected = at_gear(gears.connected, told.gear);
         const T let = commanded ? told.commands[command + UnitCommand::max_regeneration] : T(1);
         const T asked = min(T(brake / max(ratio, T(1e-3))), T(motor.brake_regeneration * let * strongest));
-        const T closed = rotor_is_free ? T(T(1) - clamp(told.clutch, T(0), T(1))) : T(1);
-        const T braking = asked * closed * connected * motor.braking(out.spin);
+        const T held = rotor_is_free ? T(capacity * (T(1) - clamp(told.clutch, T(0), T(1)))) : asked;
+        const T braking = min(asked, held) * connected * motor.braking(out.spin);
         const T before = out.torque;
         out.torque = clamp(T(before - braking), T(-strongest), strongest);
         out.regenerated = abs(before - out.torque);
         out.power = motor.electric_power(out.torque, out.spin);
+        constexpr double band = 0.05;  // of the top speed
+        const T slow = T(band) * motor.max_speed;
+        const T along = select(out.torque >= T(0), out.spin, T(-out.spin));
+        out.drives = clamp(T(T(1) + along / slow), T(0), T(1));
+        out.least_power = abs(out.torque) * slow * out.drives;
     }
 
     // Opposes the rotation; viscous near standstill, with a slope that an explicit step can follow.

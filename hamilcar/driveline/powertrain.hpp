@@ -2,6 +2,7 @@
 // pass, since every differential comes after its outputs.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -115,28 +116,50 @@ private:
         const T voltage = battery.exists() ? battery.state(values).voltage : supply_voltage;
         std::array<T, max_differentials> brakes;
         if (regenerates) brakes = input_brakes(at);
-        T drawn(0), returned(0), power(0);
         for (std::size_t i = 0; i < units.size(); ++i) {
             const PowerUnit<T>& unit = units[i];
             const T brake = regenerates ? value(unit.output, at.brakes, brakes) : T(0);
             demands[i] = unit.demand(told, unit.state(values), value(unit.output, at.wheels, speeds), at.chassis,
                                      voltage, brake);
-            drawn += max(demands[i].power, T(0)), returned += max(T(-demands[i].power), T(0));
         }
         BatteryShares<T> shares;
-        if (battery.exists()) shares = battery.shares(drawn, returned, battery.state(values).charge);
+        if (battery.exists()) shares = battery_shares(demands, battery.state(values).charge);
+        T power(0);
         out.supplied = T(0);
         for (std::size_t i = 0; i < units.size(); ++i) {
             const PowerUnit<T>& unit = units[i];
-            const T share = battery.exists() && unit.is_electric()
-                                ? T(select(demands[i].power > T(0), shares.driving, shares.braking))
-                                : T(1);
+            const T share = battery.exists() && unit.is_electric() ? shares.of(demands[i].drives) : T(1);
             out.units[i] = unit.evaluate(demands[i], share, told, unit.state(values), at.chassis,
                                          value(unit.output, at.wheels, speeds));
             out.supplied += out.units[i].source * out.units[i].spin;
             power += out.units[i].electric_power;
         }
         if (battery.exists()) out.battery = battery.evaluate(power, battery.state(values));
+    }
+
+    // By which all motors' torques are cut so that their power is what the battery has. With a torque an efficiency changes that is a map,
+    // so that a share of the torque is not that share of the power: a few rounds settle it.
+    BatteryShares<T> battery_shares(const std::array<typename PowerUnit<T>::Demand, max_power_units>& demands,
+                                    const T& charge) const {
+        constexpr int rounds_with_maps = 4;
+        const bool has_maps = std::ranges::any_of(units, &PowerUnit<T>::has_efficiency_map);
+        BatteryShares<T> shares;
+        for (int round = 0; round < (has_maps ? rounds_with_maps : 1); ++round) {
+            T drawn(0), returned(0);
+            for (std::size_t i = 0; i < units.size(); ++i) {
+                T power = demands[i].power, least = demands[i].least_power;
+                if (round > 0) {
+                    const T share = shares.of(demands[i].drives);
+                    power = units[i].electric_power(demands[i].torque * share, demands[i].spin);
+                    least = least * share;
+                }
+                drawn += max(power, least), returned += max(T(-power), T(0));
+            }
+            const BatteryShares<T> further = battery.shares(drawn, returned, charge);
+            shares.driving = round == 0 ? further.driving : T(shares.driving * further.driving);
+            shares.braking = round == 0 ? further.braking : T(shares.braking * further.braking);
+        }
+        return shares;
     }
 
     // What the brake pedal asks for at the differentials' inputs.

@@ -84,15 +84,18 @@ struct ElectricMotor {
         if (torque.exists()) return torque.at(voltage, turning);
         return min(max_torque, T(max_power / max(turning, T(1e-3))));
     }
+    // Share of it that may speed the motor up further.
+    T driving(const T& speed) const {
+        return clamp(T((T(1) - speed * inverse_max_speed) * T(1 / fade_band)), T(0), T(1));
+    }
     // Share of it that may brake, with the sign of the speed.
     T braking(const T& speed) const {
         return clamp(T(speed * inverse_max_speed * T(1 / full_regeneration)), T(-1), T(1));
     }
     T at(const T& pedal, const T& speed, const T& voltage) const {
-        const T share = speed * inverse_max_speed;
         const T throttle = clamp(pedal, T(0), T(1));
-        const T driving = clamp(T((T(1) - share) * T(1 / fade_band)), T(0), T(1));
-        return strongest(speed, voltage) * (throttle * driving - (T(1) - throttle) * (regeneration * braking(speed)));
+        return strongest(speed, voltage) *
+               (throttle * driving(speed) - (T(1) - throttle) * (regeneration * braking(speed)));
     }
     // Taken from its supply, negative where it gives back [W].
     T electric_power(const T& acting, const T& speed) const {

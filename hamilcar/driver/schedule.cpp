@@ -45,7 +45,8 @@ Signal rack_signal(const ScenarioDescription& scenario, const SteeringDescriptio
 Schedule::Schedule(const ScenarioDescription& scenario, const SteeringDescription& steering)
     : powered_(is_powered(scenario)),
       windy_(!scenario.wind_x.time.empty() || !scenario.wind_y.time.empty()),
-      free_rack_(steering.moves_on_its_own()) {
+      free_rack_(steering.moves_on_its_own()),
+      parks_(!scenario.parking_brake.time.empty()) {
     const auto at = [this](Control control) -> Signal& { return signals_[static_cast<std::size_t>(control)]; };
     at(Control::rack) = rack_signal(scenario, steering);
     at(Control::drive_torque) = Signal(scenario.drive);
@@ -73,6 +74,7 @@ void Schedule::restore(const Memory& from) {
     for (std::size_t i = 0; i < control_count; ++i) {
         if (from.follows[i]) signals_[i].follow(from.spans[i]);
     }
+    parks_ = parks_ || from.follows[static_cast<std::size_t>(Control::parking_brake)];
     set_commands({from.commands.data(), from.command_count});
 }
 

@@ -31,36 +31,29 @@ enum class Control {
 };
 inline constexpr std::size_t control_count = 11;
 
-// All inputs at a time [s]; `at` returns the SignalValue<T> of a control.
-template <class T, class At>
-Input<T> input_of(double time, bool powered, bool windy, bool free_rack, const At& at) {
-    const SignalValue<T> rack = at(Control::rack);
-    Input<T> input{.rack = {rack.value, rack.rate, rack.acceleration},
-                   .drive_torque = at(Control::drive_torque).value,
-                   .brake = at(Control::brake).value,
-                   .time = time};
-    input.parking_brake = at(Control::parking_brake).value;
-    if (powered) {
-        input.throttle = at(Control::throttle).value;
-        input.clutch = at(Control::clutch).value;
-        input.gear = at(Control::gear).value;
-    }
-    if (free_rack) {
-        input.hands_hold = at(Control::hands_hold).value, input.hands_torque = at(Control::hands_torque).value;
-    }
-    if (windy) input.wind_x = at(Control::wind_x).value, input.wind_y = at(Control::wind_y).value;
-    return input;
-}
-
 class Schedule {
 public:
     // Steering wheel angles are converted to rack displacements by the vehicle's steering column.
     Schedule(const ScenarioDescription& scenario, const SteeringDescription& steering);
 
-    // All inputs at a time [s].
+    // All inputs at a time [s]. Those that a run has not are not looked up.
     Input<double> operator()(double time) const {
-        auto input = input_of<double>(time, powered_, windy_, free_rack_,
-                                      [&](Control control) { return signal(control).at(time); });
+        const auto at = [&](Control control) { return signal(control).at(time); };
+        const SignalValue<double> rack = at(Control::rack);
+        Input<double> input{.rack = {rack.value, rack.rate, rack.acceleration},
+                            .drive_torque = at(Control::drive_torque).value,
+                            .brake = at(Control::brake).value,
+                            .time = time};
+        if (powered_) {
+            input.throttle = at(Control::throttle).value;
+            input.clutch = at(Control::clutch).value;
+            input.gear = at(Control::gear).value;
+        }
+        if (free_rack_) {
+            input.hands_hold = at(Control::hands_hold).value, input.hands_torque = at(Control::hands_torque).value;
+        }
+        if (windy_) input.wind_x = at(Control::wind_x).value, input.wind_y = at(Control::wind_y).value;
+        if (parks_) input.parking_brake = at(Control::parking_brake).value;
         input.commands = commands_.empty() ? nullptr : commands_.data();
         return input;
     }
@@ -69,10 +62,12 @@ public:
     // scale of the polynomial [s].
     void follow(Control control, double time, const SignalValue<double>& now, double step) {
         signals_[static_cast<std::size_t>(control)].follow(time, now, step);
+        parks_ = parks_ || control == Control::parking_brake;
     }
     // The same by a piece that begins then.
     void follow(Control control, double time, const SignalPiece<double>& piece) {
         signals_[static_cast<std::size_t>(control)].follow(time, piece);
+        parks_ = parks_ || control == Control::parking_brake;
     }
 
     // What controllers tell actuators from now on (vehicle/command_layout.hpp); an input refers to them as they are then. Without
@@ -99,7 +94,7 @@ public:
 
 private:
     std::array<Signal, control_count> signals_;
-    bool powered_ = false, windy_ = false, free_rack_ = false;
+    bool powered_ = false, windy_ = false, free_rack_ = false, parks_ = false;
     std::vector<double> commands_;
 };
 

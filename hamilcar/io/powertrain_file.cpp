@@ -59,10 +59,20 @@ DrivenPart read_output(const TableReader& unit, const VehicleDescription& vehicl
     return out;
 }
 
-// A unit on the carrier of a wheel turns with it.
+SuspensionWheelDescription& wheel_of(VehicleDescription& vehicle, std::size_t number) {
+    std::size_t before = 0, s = 0;
+    while (number >= before + vehicle.suspensions[s].wheels.size()) before += vehicle.suspensions[s++].wheels.size();
+    return vehicle.suspensions[s].wheels[number - before];
+}
+
+// A unit on the carrier of a wheel turns with it; one in the chassis reaches a wheel whose drive reacts on the chassis.
 void read_mount(const TableReader& table, PowerUnitDescription& unit, VehicleDescription& vehicle) {
     unit.in_wheel = word<bool>(table, "mount", {{"chassis", false}, {"carrier", true}});
-    if (!unit.in_wheel || table.is_recording()) return;
+    if (table.is_recording() || !(unit.in_wheel || unit.output.wheel)) return;
+    if (!unit.in_wheel) {
+        return table.expect(wheel_of(vehicle, unit.output.number).drive_reaction == 0, "output",
+                            "a wheel that a shaft from the chassis can drive: this one's axle carries what drives it");
+    }
     table.expect(unit.output.wheel, "output", "the name of a wheel, on whose carrier the unit sits");
     table.expect(std::holds_alternative<MotorDescription>(unit.source), "mount",
                  "\"chassis\": an engine does not turn with a wheel");
@@ -70,15 +80,12 @@ void read_mount(const TableReader& table, PowerUnitDescription& unit, VehicleDes
         table.expect(!table.has(key), key, "no such table: a unit on a carrier turns with its wheel");
     }
     table.expect(unit.gearbox.ratios.size() == 1, "gearbox", "one ratio: a unit on a carrier turns with its wheel");
-    std::size_t number = 0;
-    for (SuspensionDescription& suspension : vehicle.suspensions) {
-        for (SuspensionWheelDescription& wheel : suspension.wheels) {
-            if (number++ != unit.output.number) continue;
-            const double ratio = unit.gearbox.ratios[0];
-            wheel.drive_reaction = wheel.part;
-            wheel.wheel.spin_inertia += ratio * ratio * unit.inertia;
-        }
-    }
+    table.expect(unit.gearbox.reverse_ratio == 0 || unit.gearbox.reverse_ratio == unit.gearbox.ratios[0], "gearbox",
+                 "a reverse_ratio of 0 or that of the one ratio: a unit on a carrier turns with its wheel");
+    SuspensionWheelDescription& wheel = wheel_of(vehicle, unit.output.number);
+    const double ratio = unit.gearbox.ratios[0];
+    wheel.drive_reaction = wheel.part;
+    wheel.wheel.spin_inertia += ratio * ratio * unit.inertia;
 }
 
 // What goes with the largest torque where the file does not tell it.
@@ -118,6 +125,9 @@ PowerUnitDescription read_power_unit(const TableReader& table, VehicleDescriptio
     check_limit(table, unit);
     const auto* clutch = std::get_if<ClutchDescription>(&unit.coupling);
     const bool stalls = std::holds_alternative<EngineDescription>(unit.source) && clutch && clutch->capacity == 0;
+    const auto* motor = std::get_if<MotorDescription>(&unit.source);
+    table.expect(!motor || motor->brake_regeneration == 0 || clutch, "converter",
+                 "no such table beside brake_regeneration: what it passes on is not known to the brakes");
     table.expect(!stalls, "engine", "a [power_unit.clutch] that slips or a [power_unit.converter] beside it");
     return unit;
 }

@@ -68,8 +68,7 @@ struct CommandPlaces {
 void add_control_channels(const VehicleDescription& vehicle, std::vector<Channel>& list) {
     add_brake_channels(vehicle, list);
     const CommandLayout layout(vehicle);
-    const int units =
-        vehicle.controllers.empty() ? 0 : UnitCommand::size * static_cast<int>(vehicle.power_units.size());
+    const int units = layout.of_all_units();
     const CommandPlaces places{units > 0 ? layout.unit(0) : layout.size(), units};
     for (int i = 0; i < layout.size(); ++i) {
         const Command& command = layout.commands()[static_cast<std::size_t>(i)];

@@ -84,12 +84,14 @@ private:
         FramePoint foot{frame(cut.base), cut.foot};
         if (driven) {
             foot.frame = scene_.frames.size();
-            scene_.frames.push_back(
-                {suspension_.name + "." + as_name(cut.name) + "_rack", suspension_.unit,
-                 [pose = pose_, base = cut.base, drive = vec3(cut.drive)](const Sample& s) {
-                     const Pose<double> on = pose(s, base);
-                     return Pose<double>{on.R, on.p + on.direction(drive * s.velocity.rack.displacement)};
-                 }});
+            scene_.frames.push_back({suspension_.name + "." + as_name(cut.name) + "_rack", suspension_.unit,
+                                     [pose = pose_, base = cut.base, drive = vec3(cut.drive),
+                                      by = suspension_.steered_by](const Sample& s) {
+                                         const Pose<double> on = pose(s, base);
+                                         const RackMotion<double>& rack =
+                                             by ? s.velocity.axle_racks[*by] : s.velocity.rack;
+                                         return Pose<double>{on.R, on.p + on.direction(drive * rack.displacement)};
+                                     }});
         } else {
             know(cut.base, cut.foot);
         }

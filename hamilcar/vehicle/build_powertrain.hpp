@@ -98,7 +98,7 @@ Gears<T> make_gears(const PowerUnitDescription& unit, const ReflectedLoad& behin
         gears.ratio.push_back(T(ratio));
         gears.stiffness.push_back(T(stiffness));
         gears.damping.push_back(T(2 * unit.damping_ratio * std::sqrt(stiffness * inertia)));
-        gears.viscosity.push_back(T(squared > 0 ? Gears<T>::loss_rate * behind.inertia / squared : 0));
+        gears.viscosity.push_back(T(squared > 0 ? Gears<T>::loss_rate * load : 0));
         gears.connected.push_back(T(ratio != 0 ? 1 : 0));
     }
     return gears;

@@ -15,6 +15,18 @@ CommandLayout::CommandLayout(const VehicleDescription& vehicle) {
         commands_.push_back({name + "outlet", "1", "opening of the valve that lets pressure out", 0, 0, 1});
         commands_.push_back({name + "pump", "1", "share of the pump's flow to this wheel", 0, 0, 1});
     });
+    add_units(vehicle);
+    add_dampers(vehicle), add_bars(vehicle);
+    for (const AxleSteerDescription& one : vehicle.axle_steers) {
+        axle_steers_.push_back(controlled ? size() : -1);
+        if (!controlled) continue;
+        commands_.push_back({one.axle + ".steer", "1", "share of the travel of the axle's own rack", 0, -1, 1});
+    }
+}
+
+void CommandLayout::add_units(const VehicleDescription& vehicle) {
+    const bool controlled = !vehicle.controllers.empty();
+    const int first = size();
     for (const PowerUnitDescription& unit : vehicle.power_units) {
         units_.push_back(controlled ? size() : -1);
         if (!controlled) continue;
@@ -26,12 +38,7 @@ CommandLayout::CommandLayout(const VehicleDescription& vehicle) {
         commands_.push_back(
             {unit.name + ".max_regeneration", "1", "of what the brake pedal may ask of the motor", 1, 0, 1});
     }
-    add_dampers(vehicle), add_bars(vehicle);
-    for (const AxleSteerDescription& one : vehicle.axle_steers) {
-        axle_steers_.push_back(controlled ? size() : -1);
-        if (!controlled) continue;
-        commands_.push_back({one.axle + ".steer", "1", "share of the travel of the axle's own rack", 0, -1, 1});
-    }
+    of_all_units_ = size() - first;
 }
 
 void CommandLayout::add_dampers(const VehicleDescription& vehicle) {

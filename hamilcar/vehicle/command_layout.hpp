@@ -37,6 +37,8 @@ public:
     // Index of the first command of a wheel's brake or of a power unit; -1: it takes none.
     int brake(std::size_t wheel) const { return brakes_[wheel]; }
     int unit(std::size_t unit) const { return units_[unit]; }
+    // How many power units take together.
+    int of_all_units() const { return of_all_units_; }
     std::vector<double> rest() const;
     // Of a wheel's first adjustable damper, of a suspension's dampers one by one, of a bar; -1: it takes none.
     int damper(std::size_t wheel) const { return wheel_dampers_[wheel]; }
@@ -57,6 +59,8 @@ public:
 
 private:
     std::vector<Command> commands_;
+    int of_all_units_ = 0;
+    void add_units(const VehicleDescription& vehicle);
     void add_dampers(const VehicleDescription& vehicle);
     void add_bars(const VehicleDescription& vehicle);
 

@@ -65,6 +65,21 @@ TEST_P(JointForcesOf, HoldWhatTheIndependentCoordinatesSay) {
     }
 }
 
+// An engine in a low gear, whose shaft turns a live axle against the chassis.
+TEST(JointForces, HoldWhatTheIndependentCoordinatesSayUnderPower) {
+    for (const char* name : {"pickup", "offroader", "bmw_323i"}) {
+        ScenarioDescription scenario = test::scenario(1.5, 5);
+        scenario.throttle = test::table({0.2, 0.6}, {0, 0.5});
+        scenario.gear = {{0}, {1}, Interpolation::steps};
+        const Driven now(name, scenario, 1.2);
+        EXPECT_GT(std::abs(now.sample.momenta.powertrain.inputs[0]), 50) << name;
+        const VehicleJointForces all = now.forces();
+        for (std::size_t s = 0; s < all.size(); ++s) {
+            EXPECT_LT(all[s].unbalanced, 1e-3) << name << ", " << now.car.suspensions[s].name << " [N or N m]";
+        }
+    }
+}
+
 // With a bar's arms, links that are parts, and a spring on one.
 TEST(JointForces, HoldWhatTheIndependentCoordinatesSayWithAttachments) {
     const std::string keys =

@@ -81,8 +81,7 @@ TEST(PropellerShaft, ShiftsTheLoadOfALiveAxle) {
     EXPECT_LT(behind, shaft) << "springs and bars pass on the rest";
 }
 
-// The same shaft by hand: moment on the axle from tires and shaft against what springs, bars and dampers give, by virtual work in the
-// axle's roll. With a shaft that turns the other way everything is mirrored.
+// With an engine and a shaft that turn the other way everything is mirrored.
 TEST(PropellerShaft, TurnsTheAxleTheOtherWayWithTheOtherAxis) {
     const auto shift = [](double direction) {
         VehicleDescription car = test::shipped("pickup");

@@ -1,4 +1,4 @@
-// Batteries, motors by maps and at wheels, shafts, parking brakes and steered rear axles: what a file says, and what it must not say.
+// Batteries, motors by maps and at wheels, shafts, parking brakes, axles that an actuator steers: what a file says, and must not say.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -71,13 +71,47 @@ TEST(ElectricFile, AMotorOnACarrierTurnsWithItsWheel) {
     EXPECT_NEAR(shafts.backlash, 3 * std::numbers::pi / 180, 1e-12);
 }
 
-TEST(ElectricFile, ParkingBrakesAndSteeredAxlesAreWhatTheFileSays) {
+TEST(ElectricFile, AParkingBrakeIsWhatTheFileSays) {
     const std::string text =
         changed(shipped_car_text(), "max_torque_N_m = ", "parking_torque_N_m = 600\nmax_torque_N_m = ");
     const VehicleDescription car = read_text(text);
     EXPECT_EQ(wheel(car, 0).brake.parking_torque, 600) << "of the first axle in the file";
     EXPECT_EQ(wheel(car, 2).brake.parking_torque, 0);
     EXPECT_TRUE(has_parking_brake(car));
+}
+
+TEST(ElectricFile, AnAxleIsSteeredByAnActuator) {
+    const std::string axle = "[[axle]]\nname = \"front\"\n";
+    const auto with = [&](const std::string& keys) {
+        return changed(shipped_car_text(), axle, axle + "steering_actuator = {" + keys + "}\n");
+    };
+    const VehicleDescription car = read_text(with("travel_m = 0.02, frequency_hz = 4"));
+    ASSERT_EQ(car.axle_steers.size(), 1u);
+    EXPECT_EQ(car.axle_steers[0].axle, "front");
+    EXPECT_NEAR(car.axle_steers[0].frequency, 8 * std::numbers::pi, 1e-12);
+    EXPECT_EQ(car.axle_steers[0].damping_ratio, 1);
+    EXPECT_EQ(car.suspensions[0].steered_by, 0u);
+    EXPECT_FALSE(car.suspensions[2].steered_by);
+    const TemporaryFolder folder;
+    const std::string rear = "[[axle]]\nname = \"rear\"\n";
+    const std::string path =
+        folder.write("rear.toml", changed(shipped_car_text(), rear, rear + "steering_actuator = {travel_m = 0.02}\n"));
+    expect_error([&] { read_vehicle(path); }, ExitCode::bad_file,
+                 {"axle[rear].steering_actuator", "expected a linkage whose 'steered' is true"});
+}
+
+TEST(ElectricFile, ABatteryNeedsAMotor) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("car.toml", shipped_car_text() + R"(
+[battery]
+capacity_Ah = 1
+charge = [0, 1]
+open_voltage_V = [12, 14]
+resistance_ohm = 0.01
+max_discharge_W = 1e3
+max_charge_W = 1e3
+)");
+    expect_error([&] { read_vehicle(path); }, ExitCode::bad_file, {"expected a [[power_unit]] with a motor"});
 }
 
 class BadElectricDrive : public testing::TestWithParam<BadInput> {};

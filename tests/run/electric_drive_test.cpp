@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "hamilcar/run/channels.hpp"
 #include "support/electric.hpp"
 
 namespace hamilcar {
@@ -61,6 +62,66 @@ TEST(Battery, LimitsWhatMotorsDraw) {
         most = std::max(most, run.sample().momenta.powertrain.battery.power);
     }
     EXPECT_NEAR(most, 60e3, 60);
+}
+
+// With an efficiency that falls with the torque, so that a share of the torque is more than that share of the power.
+TEST(Battery, LimitsMotorsWithMapsOfTheirEfficiency) {
+    VehicleDescription car = test::electric_car();
+    car.battery.max_discharge = 20e3;
+    for (std::size_t i = 0; i < 2; ++i) {
+        test::motor_of(car, i).efficiency_map = {
+            .level = {20, 270}, .speed = {{0, 1000}, {0, 1000}}, .value = {{0.6, 0.6}, {0.95, 0.95}}};
+    }
+    Simulation run(car, test::pedal(4, 12, test::table({0.2, 0.4}, {0, 1})));
+    double most = 0;
+    while (run.time() < 3.9) {
+        ASSERT_FALSE(run.advance());
+        most = std::max(most, run.sample().momenta.powertrain.battery.power);
+    }
+    EXPECT_NEAR(most, 20e3, 0.02 * 20e3);
+}
+
+// An empty battery does not hold a car on a slope, and nothing chatters while it rolls back.
+TEST(Battery, LetsGoOfACarOnASlopeWhenItIsEmpty) {
+    VehicleDescription car = test::electric_car();
+    car.battery.initial_charge = 0;
+    car.controllers.clear();
+    ScenarioDescription s = test::pedal(3, 0, test::table({0, 0.1}, {1, 1}));
+    s.road.grade = 0.15;
+    Simulation run(car, s);
+    double before = run.sample().momenta.powertrain.units[0].source;
+    int jumps = 0;
+    while (!run.finished()) {
+        ASSERT_FALSE(run.advance());
+        const double torque = run.sample().momenta.powertrain.units[0].source;
+        jumps += std::abs(torque - before) > 50 ? 1 : 0;
+        before = torque;
+    }
+    EXPECT_LT(jumps, 5);
+    EXPECT_LT(linear(run.sample().velocity.chassis)[0], -0.05) << "it rolls back, braked by what it generates";
+}
+
+TEST(WheelMotors, AddUpWhereTwoDriveOneWheel) {
+    const auto speed = [](double torque, int motors) {
+        VehicleDescription car = test::with_wheel_motors(test::shipped("electric_hatchback"), false);
+        car.controllers.clear();
+        for (std::size_t i = 1; i < 3; ++i) test::motor_of(car, i).max_torque = torque;
+        if (motors == 2) {
+            for (std::size_t i = 1; i < 3; ++i) {
+                PowerUnitDescription second = car.power_units[i];
+                second.name += "_2";
+                car.power_units.push_back(second);
+            }
+            for (PowerUnitDescription& unit : car.power_units) {
+                if (unit.output.wheel) unit.inertia /= 2, unit.stiffness /= 2;
+            }
+        }
+        Simulation run(car, test::pedal(2, 5, test::table({0.1, 0.3}, {0, 0.6})));
+        test::run_to_end(run);
+        return linear(run.sample().velocity.chassis)[0];
+    };
+    EXPECT_NEAR(speed(60, 2), speed(120, 1), 0.01);
+    EXPECT_GT(speed(60, 2), speed(60, 1) + 0.3);
 }
 
 // A stop with friction alone and with motors that help: the driver feels the same car, the battery does not.
@@ -193,6 +254,28 @@ TEST(WheelMotors, LeanOnTheCarrierAsABrakeDoes) {
     EXPECT_NEAR(in_wheel, brake, 0.01 * std::abs(in_chassis - brake));
     EXPECT_GT(std::abs(in_chassis - brake), 1e-3)
         << "the suspension has anti-lift, which only brakes and wheel motors use";
+}
+
+// In a run without power units their commands rest, and those behind them are still read at their own places.
+TEST(MotorCommands, RestInARunWithoutPowerUnits) {
+    const VehicleDescription car = test::told(test::with_adjustable_dampers(test::electric_car()));
+    Simulation run(car, test::scenario(0.1, 10));
+    const CommandLayout &own = run.control()->layout(), all(car);
+    const std::vector<double> told = test::mixed_commands(own);
+    run.set_commands(told);
+    const std::vector<Channel> channels = all_channels(car);
+    const Sample sample = run.sample();
+    std::size_t read = 0;
+    for (const Command& command : all.commands()) {
+        const auto channel =
+            std::ranges::find(channels, "command." + command.name, [](const Channel& one) { return one.column.name; });
+        ASSERT_NE(channel, channels.end());
+        const int place = own.find(command.name);
+        EXPECT_EQ(channel->read(sample), place < 0 ? command.rest : told[static_cast<std::size_t>(place)])
+            << command.name;
+        ++read;
+    }
+    EXPECT_GT(read, told.size() + 7) << "two motors have eight commands";
 }
 
 TEST(ParkingBrake, HoldsOnASlopeAndOnlyWhereItIsApplied) {

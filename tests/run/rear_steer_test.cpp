@@ -120,7 +120,7 @@ TEST(RearSteer, TakesTheSideslipOutOfAFastTurn) {
     EXPECT_NEAR(with.sideslip / with.lateral, expected, 0.1 * with.rear / with.lateral);
 }
 
-// It acts in a run whose steering moves on its own as well, and engines agree.
+// It acts in a run whose steering moves on its own as well.
 TEST(RearSteer, GoesWithASteeringThatMovesOnItsOwn) {
     ScenarioDescription s = turning(2, 20, 0.5);
     s.steering_mechanics = true;

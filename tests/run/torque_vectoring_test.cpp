@@ -45,12 +45,21 @@ TEST(TorqueVectoring, TurnsTheCarIntoTheCurve) {
     EXPECT_NEAR(mirrored.left, with.right, 1e-3);
 }
 
-// A yaw moment that is no larger than asked for: at its own characteristic speed the reference asks for what the car does, and a straight
-// road for nothing.
 TEST(TorqueVectoring, RestsOnAStraightRoad) {
     const Turn straight = turn(true, 25, 0, 2);
     EXPECT_NEAR(straight.left, straight.right, 0.5);
     EXPECT_NEAR(straight.yaw_rate, 0, 1e-5);
+}
+
+TEST(TorqueVectoring, RestsInNeutral) {
+    ScenarioDescription s = steered(15, 1, 2);
+    s.gear = {{0}, {0}, Interpolation::steps};
+    Simulation run(vectored(true), s);
+    const auto place = static_cast<std::size_t>(run.control()->layout().find("rear_left_motor.added_torque"));
+    while (!run.finished()) {
+        ASSERT_FALSE(run.advance());
+        ASSERT_EQ(run.schedule().commands()[place], 0);
+    }
 }
 
 TEST(TorqueVectoring, IsRefusedWithoutAMotorAtEachWheel) {
