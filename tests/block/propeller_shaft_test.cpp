@@ -42,6 +42,22 @@ TEST(PropellerShaft, ConservesAngularMomentumAndEnergy) {
     EXPECT_NEAR(end.energy.balance(), run.initial_energy_balance(), 5e-4 * end.energy.kinetic);
 }
 
+// An axle that rolls against the chassis while its wheels stand turns the shaft by as much: its gears are on the axle.
+TEST(PropellerShaft, TurnsWithTheAxleThatItDrives) {
+    const Vehicle<double> car(test::shipped("pickup"));
+    const Model<double> model{.vehicle = car, .road = PlaneRoad<double>(0, 0, 1)};
+    const State<double> state = design_state(model, {0, 0, 5}, Mat3<double>::Identity());
+    const Differential<double>& rear = car.powertrain.differentials[0];
+    ASSERT_GE(rear.on_axle, 0);
+    const auto s = static_cast<std::size_t>(rear.on_axle);
+    Velocity<double> velocity = velocity_block(model, state, Input<double>{});
+    const double still = car.powertrain.input_speeds(powertrain_motion(car, state, velocity))[0];
+    for (auto& motion : velocity.suspensions[s].motion) motion[3] += 0.5;
+    velocity.suspensions[s].motion[0][3] -= 0.5;  // the chassis stays
+    const double rolling = car.powertrain.input_speeds(powertrain_motion(car, state, velocity))[0];
+    EXPECT_NEAR(rolling - still, 0.5 * rear.shaft_axis[0], 1e-6);
+}
+
 // Held on its front brakes with its rear wheels pushed: the shaft's torque lifts one rear wheel, what the springs pass on lifts the
 // opposite front wheel, and all together there is no moment about the car's longitudinal axis.
 TEST(PropellerShaft, ShiftsTheLoadOfALiveAxle) {
