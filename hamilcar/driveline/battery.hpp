@@ -37,8 +37,7 @@ struct BatteryShares {
 template <class T>
 struct Battery {
     static constexpr double voltage_rate = 200;  // [1/s]
-    static constexpr double end_band =
-        0.05;  // of the charge, over which power fades out before empty and before full [1]
+    static constexpr double end_band = 0.05;     // of charge, over which power fades out before empty and full [1]
     int present = 0;
     int place = 0;  // in a state: charge, voltage
     T inverse_capacity{0}, resistance{0};

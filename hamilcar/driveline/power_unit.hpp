@@ -12,115 +12,14 @@
 #include <vector>
 
 #include "hamilcar/driveline/commands.hpp"
+#include "hamilcar/driveline/converter.hpp"
+#include "hamilcar/driveline/gears.hpp"
 #include "hamilcar/driveline/source.hpp"
 #include "hamilcar/force/dry_friction.hpp"
 #include "hamilcar/math/spatial.hpp"
 #include "hamilcar/scalar/dispatch.hpp"
 
 namespace hamilcar {
-
-// Pump torque = capacity(speed ratio) pump speed^2; where the turbine overruns the pump, their roles are exchanged. The oil torque
-// follows with a lag: without it, the steep end of the curve and the small inertia of wheels behind a low gear would be too stiff
-// for an explicit step.
-template <class T>
-struct Converter {
-    static constexpr double oil_rate = 50;  // at which the torque follows the speeds [1/s]
-    Curve<T> torque_ratio, capacity;        // over turbine speed / pump speed
-    T present{0};                           // 1, or 0 without a converter
-    T lockup_min_speed{0};                  // turbine speed above which the lockup clutch may close [rad/s]
-    static constexpr auto members() {
-        using C = Converter;
-        return std::tuple(&C::torque_ratio, &C::capacity, &C::present, &C::lockup_min_speed);
-    }
-
-    struct Output {
-        T pump;            // steady torque against the rotor [N m]
-        T multiplication;  // turbine over pump
-    };
-    // Engagement of the lockup clutch [1]: closed where pump and turbine turn at nearly the same speed, and fast enough not to
-    // stall the engine. Always 1 without a converter.
-    T lockup(const T& pump_speed, const T& turbine_speed) const {
-        constexpr double opens = 0.85, closes = 0.95;  // speed ratios
-        const T nu = turbine_speed / max(pump_speed, T(1));
-        const T synchronous = clamp(T((nu - T(opens)) * T(1 / (closes - opens))), T(0), T(1));
-        const T fast =
-            clamp(T((turbine_speed - lockup_min_speed) / max(T(0.25) * lockup_min_speed, T(1e-3))), T(0), T(1));
-        return T(1) - present * (T(1) - synchronous * fast);
-    }
-
-    Output evaluate(const T& pump_speed, const T& turbine_speed) const {
-        constexpr double min_speed = 1;  // lower bound on the divisor of speed ratios [rad/s]
-        const T ahead = max(pump_speed, T(min_speed)), behind = max(turbine_speed, T(min_speed));
-        const T nu = clamp(T(turbine_speed / ahead), T(0), T(1));
-        const T driving = max(pump_speed, T(0)) * ahead * capacity.at(nu);
-        const T nu_back = clamp(T(pump_speed / behind), T(0), T(1));
-        const T braking = max(turbine_speed, T(0)) * behind * capacity.at(nu_back);
-        const auto drives = pump_speed >= turbine_speed;
-        return {present * select(drives, driving, T(-braking)), select(drives, torque_ratio.at(nu), T(1))};
-    }
-};
-
-// Of values by gear, from reverse (gear -1) on: 0 is reverse, 1 neutral, 2 first. Interpolated between two gears.
-template <class T>
-T at_gear(const std::vector<T>& values, const T& gear) {
-    const T position = clamp(T(gear + T(1)), T(0), T(static_cast<double>(values.size() - 1)));
-    T out = values[0];
-    for (std::size_t i = 0; i + 1 < values.size(); ++i) {
-        out += (values[i + 1] - values[i]) * clamp(T(position - T(static_cast<double>(i))), T(0), T(1));
-    }
-    return out;
-}
-
-template <class T>
-struct Gears {
-    static constexpr double loss_rate = 100;  // maximum rate at which friction stops the parts behind the gearbox [1/s]
-    std::vector<T> ratio, stiffness, damping;
-    std::vector<T> viscosity;  // of the friction near zero input speed [N m s/rad]
-    std::vector<T> connected;  // 1; 0 in neutral and for gears that do not exist
-    static constexpr auto members() {
-        return std::tuple(&Gears::ratio, &Gears::stiffness, &Gears::damping, &Gears::viscosity, &Gears::connected);
-    }
-
-    struct Engaged {
-        T ratio, stiffness, damping;
-        T viscosity, connected;
-    };
-    Engaged at(const T& gear) const {
-        return {at_gear(ratio, gear), at_gear(stiffness, gear), at_gear(damping, gear), at_gear(viscosity, gear),
-                at_gear(connected, gear)};
-    }
-};
-
-// The shafts behind a gearbox whose input has an inertia of its own: a spring with play between the gearbox and what it drives, both
-// seen from the gearbox's input.
-template <class T>
-struct Shafts {
-    static constexpr double return_rate = 100;  // of the wind-up in neutral [1/s]
-    int present = 0;
-    T inertia{0}, inverse_inertia{0};   // of the gearbox, at its input [kg m^2]
-    std::vector<T> stiffness, damping;  // by gear
-    std::vector<T> half_play;           // by gear [rad]
-    static constexpr auto members() {
-        using S = Shafts;
-        return std::tuple(&S::present, &S::inertia, &S::inverse_inertia, &S::stiffness, &S::damping, &S::half_play);
-    }
-
-    bool exist() const { return present != 0; }
-
-    struct Output {
-        T torque, windup_rate;
-    };
-    // `slip`: speed of the gearbox's input over what the shafts drive, as seen from there. Teeth and joints push but do not pull: within
-    // the play there is no torque, and damping never turns its sign.
-    Output evaluate(const T& gear, const T& connected, const T& slip, const T& windup) const {
-        const T play = at_gear(half_play, gear);
-        const T twist = windup - clamp(windup, T(-play), play);
-        const T rate = connected * slip - (T(1) - connected) * T(return_rate) * windup;
-        const T spring = at_gear(stiffness, gear) * twist, both = spring + at_gear(damping, gear) * rate;
-        const T pushed = select(twist > T(0), max(both, T(0)), select(twist < T(0), min(both, T(0)), T(0)));
-        return {connected * select(play > T(0), pushed, both), rate};
-    }
-};
 
 // What the driver and controllers tell power units.
 template <class T>

@@ -21,8 +21,8 @@ struct PowertrainMomenta {
     std::array<typename Differential<T>::Output, max_differentials> differentials;
     std::array<T, max_differentials> inputs;  // torque into each differential [N m]
     std::array<T, max_driven_wheels> wheels;  // torque on each driven wheel [N m]
-    std::array<T, max_driven_wheels>
-        regenerated;            // part of it that takes the place of the wheel's brake, positive [N m]
+    // Part of it that takes the place of the wheel's brake, positive [N m].
+    std::array<T, max_driven_wheels> regenerated;
     BatteryMomenta<T> battery;  // where there is one
     T supplied;                 // by the sources [W]
     PowertrainMomenta() {}
@@ -33,8 +33,8 @@ template <class T>
 struct PowertrainMotion {
     Vec3<T> chassis;                          // angular velocity
     std::array<T, max_driven_wheels> wheels;  // speeds relative to the part that carries the differential [rad/s]
-    std::array<T, max_differentials>
-        axle_turns;  // of the axle that carries a differential against the chassis, about its input [rad/s]
+    // Of the axle that carries a differential against the chassis, about the differential's input [rad/s].
+    std::array<T, max_differentials> axle_turns;
     std::array<T, max_driven_wheels> brakes;  // torque that each wheel's brake would hold [N m]
     PowertrainMotion() {}
 };
@@ -137,8 +137,8 @@ private:
         if (battery.exists()) out.battery = battery.evaluate(power, battery.state(values));
     }
 
-    // By which all motors' torques are cut so that their power is what the battery has. With a torque an efficiency changes that is a map,
-    // so that a share of the torque is not that share of the power: a few rounds settle it.
+    // By which all motors' torques are cut so that their power is what the battery has. An efficiency that is a map changes with the torque,
+    // so a share of the torque is not that share of the power: a few rounds settle it.
     BatteryShares<T> battery_shares(const std::array<typename PowerUnit<T>::Demand, max_power_units>& demands,
                                     const T& charge) const {
         constexpr int rounds_with_maps = 4;
