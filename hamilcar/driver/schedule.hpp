@@ -36,7 +36,7 @@ public:
     // Steering wheel angles are converted to rack displacements by the vehicle's steering column.
     Schedule(const ScenarioDescription& scenario, const SteeringDescription& steering);
 
-    // All inputs at a time [s]. Those that a run has not are not looked up.
+    // All inputs at a time [s]. Those that a run lacks are not looked up.
     Input<double> operator()(double time) const {
         const auto at = [&](Control control) { return signal(control).at(time); };
         const SignalValue<double> rack = at(Control::rack);

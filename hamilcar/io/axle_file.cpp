@@ -148,7 +148,7 @@ void read_steering_actuator(const TableReader& axle, std::size_t unit, std::size
     if (axle.is_recording()) return;
     axle.expect(unit == 0, "steering_actuator", "no such table on a trailer");
     axle.expect(is_steered(vehicle.suspensions[first].linkage), "steering_actuator",
-                "a linkage whose 'steered' is true, or a cut with a 'rack' of its own, beside it");
+                "a linkage whose 'steered' is true, or with a cut that has a 'drive'");
     axle.expect(vehicle.axle_steers.size() < max_axle_steers, "steering_actuator",
                 std::to_string(max_axle_steers) + " axles with it at most");
     for (std::size_t s = first; s < vehicle.suspensions.size(); ++s) {

@@ -102,7 +102,7 @@ TEST(MotorDemand, AddsWhatControllersWantWithinWhatItHas) {
     EXPECT_NEAR(demand({.pedal = 0.5}, 300).torque, 50, 1e-12);
     EXPECT_NEAR(demand({.pedal = 0.5, .added = 0.3}, 300).torque, 80, 1e-12);
     EXPECT_NEAR(demand({.pedal = 0.5, .added = 0.9}, 300).torque, 100, 1e-12);
-    EXPECT_EQ(demand({.pedal = 0.5, .added = 0.9}, 300).regenerated, 0) << "what it has not is no braking";
+    EXPECT_EQ(demand({.pedal = 0.5, .added = 0.9}, 300).regenerated, 0) << "a torque that it lacks is no braking";
     EXPECT_NEAR(demand({.pedal = 0.5, .added = -1}, 300).torque, -50, 1e-12);
     EXPECT_NEAR(demand({.added = 0.3}, 300).power, 30 * 300 / 0.9, 1e-9);
 }
